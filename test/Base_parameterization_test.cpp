@@ -24,7 +24,7 @@ void expect_round_trip(const AnyMesh& mesh)
   for(const auto v : vertices(mesh))
   {
     const auto p = base.point(base(v)), q = get(CGAL::vertex_point, mesh, v);
-    // Images are no flatter than a hundred millionth of a side.
+    // The height of image triangles is at least 1e-8 of an edge length.
     EXPECT_LT(CGAL::squared_distance(p, q), 1e-14);
   }
   for(std::size_t i = 0; i < base.number_of_base_vertices(); ++i)
@@ -34,7 +34,7 @@ void expect_round_trip(const AnyMesh& mesh)
     for(std::size_t k = 0; k < 3; ++k)
       if(base.base_face(base_location.face)[k] == i)
         weight = base_location.barycentric[k];
-    // But for the rounding of coordinates in a triangle that is cut into parts.
+    // Round-off errors of coordinates in a triangle that is subdivided.
     EXPECT_NEAR(weight, 1., 1e-9);
   }
 }

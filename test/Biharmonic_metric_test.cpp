@@ -15,7 +15,7 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
 
-// Roots of differences of rounded numbers of the order of the area.
+// Square roots of differences of rounded numbers of the order of the area.
 constexpr double round_off = 1e-6;
 
 template <typename Domain, typename Vertex_or_location>

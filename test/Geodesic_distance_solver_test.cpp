@@ -116,7 +116,8 @@ TYPED_TEST(Geodesic_distance_solver, distances_of_targets_match_full_run)
   {
     const auto target = random_location_of(this->mesh, random);
     EXPECT_TRUE(solver.compute(Vertex(3), GP::parameters::targets(target)));
-    EXPECT_NEAR(solver.distance(target), full.distance(target), 1e-8); // the front's least gain
+    EXPECT_NEAR(solver.distance(target), full.distance(target),
+                1e-8); // smallest improvement that the front accepts
     const std::vector<Vertex> targets = {Vertex(10), Vertex(Mesh::size_type(random() % 2000))};
     solver.compute(Vertex(3), GP::parameters::targets(targets));
     for(const Vertex v : targets)
@@ -135,11 +136,11 @@ TYPED_TEST(Geodesic_distance_solver, respects_maximum_distance_inside_faces)
   {
     const auto location = random_location_of(this->mesh, random);
     const double full_distance = full.distance(location);
-    if(full_distance > 0.5 + 1e-8) // the front's least gain
+    if(full_distance > 0.5 + 1e-8) // smallest improvement that the front accepts
     {
       EXPECT_EQ(solver.distance(location), infinity);
     }
-    else if(full_distance < 0.4) // inside, all corners are within the limit
+    else if(full_distance < 0.4) // in the interior, all corners are within the limit
     {
       EXPECT_NEAR(solver.distance(location), full_distance, 1e-8);
     }
@@ -166,7 +167,7 @@ TYPED_TEST(Geodesic_distance_solver, distances_are_continuous)
   solver.compute(std::vector<Vertex>{Vertex(3), Vertex(1000)});
   for(const Face f : this->mesh.faces())
   {
-    // An exact distance in a face is a search; some have to do.
+    // Each exact distance in a face is a separate search, so only some faces are tested.
     if(std::is_same_v<TypeParam, GP::Exact> && f % 20 != 0)
       continue;
     auto h = this->mesh.halfedge(f);
@@ -175,7 +176,7 @@ TYPED_TEST(Geodesic_distance_solver, distances_are_continuous)
       std::array<double, 3> corner = {0., 0., 0.};
       corner[k] = 1.;
       EXPECT_EQ(solver.distance({f, corner}), solver.distance(this->mesh.source(h)));
-      // The middle of a side, seen from both of its faces.
+      // The midpoint of an edge, located in both incident faces.
       std::array<double, 3> middle = {0.5, 0.5, 0.5};
       middle[(k + 2) % 3] = 0.;
       const auto opposite = this->mesh.opposite(h);
@@ -185,7 +186,7 @@ TYPED_TEST(Geodesic_distance_solver, distances_are_continuous)
       for(int i = 0; i < 3; ++i, g = this->mesh.next(g))
         if(this->mesh.prev(g) == opposite)
           barycentric_in_other[(i + 1) % 3] = 0.;
-      // Roundings of the same evaluations.
+      // Round-off errors of the same evaluations.
       EXPECT_NEAR(solver.distance({f, middle}), solver.distance({other, barycentric_in_other}),
                   1e-12);
     }
@@ -194,13 +195,13 @@ TYPED_TEST(Geodesic_distance_solver, distances_are_continuous)
 
 TEST(Exact_geodesic_distance_solver, finds_all_shortest_paths)
 {
-  // Around a pipe, both ways to the place opposite.
+  // Both paths around a pipe to the opposite point.
   const Mesh mesh = mesh_of(cylinder(16, 8, 1., 2.));
   GP::Geodesic_distance_solver<Mesh, GP::Exact> solver(mesh);
   solver.compute(Vertex(16 * 3));
   const auto both_paths = solver.shortest_paths(Vertex(16 * 3 + 8));
   ASSERT_EQ(both_paths.size(), 2u);
-  const double half_circumference = 16. * std::sin(pi / 16.); // of the circumference of the polygon
+  const double half_circumference = 16. * std::sin(pi / 16.); // half of the polygon's circumference
   for(const auto& path : both_paths)
   {
     EXPECT_NEAR(path.length, half_circumference, 1e-12);
@@ -234,7 +235,7 @@ TEST(Exact_geodesic_distance_solver, departures_match_directions_in_plane)
       const auto departure = solver.departure(to);
       EXPECT_NEAR(departure.length, distance(from, p), 1e-12);
       EXPECT_LT(distance(point_of(mesh, departure.from), from), 1e-12);
-      // Directions of the first parts of paths, which may be short.
+      // Departure directions follow the first segments of paths, which may be short.
       EXPECT_NEAR(departure.direction.x() * departure.length, p[0] - from[0], 1e-8);
       EXPECT_NEAR(departure.direction.y() * departure.length, p[1] - from[1], 1e-8);
       EXPECT_NEAR(

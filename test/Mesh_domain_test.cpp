@@ -24,7 +24,8 @@ using namespace CGAL::Geodesic_processing::test;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// That the domain of a mesh is the triangulation: sites at its points, triangles at its faces.
+// Checks that the domain of a mesh equals the triangulation: vertices at its points, triangles at
+// its faces.
 template <typename Mesh>
 void expect_domain(const Triangulation& surface, double tolerance)
 {
@@ -73,7 +74,7 @@ const Triangulation& shapes(int i)
   return all[i];
 }
 
-// Roundings of coordinates below 4.
+// Round-off errors of coordinates below 4.
 constexpr double rounding = 1e-14;
 
 TEST(Mesh_domain, represents_surface_mesh)
@@ -94,7 +95,7 @@ TEST(Mesh_domain, accepts_exact_and_single_precision_kernels)
   for(int i = 0; i < 5; ++i)
   {
     expect_domain<CGAL::Surface_mesh<Exact::Point_3>>(shapes(i), rounding);
-    // Roundings of single precision.
+    // Round-off errors of single precision.
     expect_domain<CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>>(shapes(i), 1e-6);
   }
 }
@@ -170,7 +171,7 @@ TEST(Mesh_domain, uses_at_most_200_bytes_per_vertex)
                                 bytes(t.ring_begin) + bytes(t.ring) + bytes(t.weight) +
                                 bytes(t.graph.begin) + bytes(t.graph.target) +
                                 bytes(t.graph.length) + bytes(t.point) + bytes(t.normal);
-  // Both ways between descriptors and numbers, of 4 bytes each.
+  // Maps from descriptors to indices and from indices to descriptors, 4 bytes per entry.
   const std::size_t descriptors = 8 * (num_vertices(mesh.mesh) + num_faces(mesh.mesh));
   EXPECT_LE(triangles + descriptors, 200 * num_vertices(mesh.mesh));
 }
@@ -225,7 +226,7 @@ TEST(Mesh_domain, throws_on_invalid_locations)
   EXPECT_THROW(Mesh_domain<Surface_mesh>(nothing).inner_vertex(Vertex(0)), Invalid_argument_error);
   EXPECT_THROW(Mesh_domain<Surface_mesh>(nothing).inner(Location{Face(0), {1., 0., 0.}}),
                Invalid_argument_error);
-  // What rounding does is mended.
+  // Round-off errors in barycentric coordinates are repaired.
   EXPECT_NO_THROW(domain.inner(Location{mesh.faces[0], {0.5, 0.5 + 1e-12, -1e-12}}));
 }
 

@@ -41,14 +41,14 @@ TEST(Region_transport_solver, finds_nearest_exit)
     return cost.value;
   };
   EXPECT_NEAR(value(at(3, 0)), 0.25, 0.25 * relative_gap);
-  EXPECT_NEAR(solver.arrival(exits[0]), 1., relative_gap); // up to the gap
+  EXPECT_NEAR(solver.arrival(exits[0]), 1., relative_gap); // relative gap
   EXPECT_NEAR(solver.potential(at(3, 0)), -0.25, 0.25 * relative_gap);
   EXPECT_NEAR(value(at(12, 0)), 0.75, 0.75 * relative_gap);
   EXPECT_NEAR(solver.arrival(exits[1]), 1., relative_gap);
   EXPECT_EQ(solver.arrival(at(5, 5)), 0.);
   EXPECT_NEAR(value(std::vector<Vertex>{at(3, 0), at(12, 0)}), 0.5,
               0.5 * relative_gap);                          // half of the mass each
-  EXPECT_NEAR(solver.arrival(exits[0]), 0.5, relative_gap); // the gap
+  EXPECT_NEAR(solver.arrival(exits[0]), 0.5, relative_gap); // relative gap
   EXPECT_EQ(solver.compute(exits[1]).value, 0.);
   EXPECT_NEAR(solver.arrival(exits[1]), 1., 1e-9);
 }
@@ -151,7 +151,7 @@ void expect_limits(double size)
       square.mesh, exits,
       GP::parameters::spreading_weight(1e3 * size * size * size).number_of_refinements(0u));
   spreading_solver.compute(vertex_at(5, 6));
-  // The areas of the exits are as 1 to 1 to 2, since two are on the boundary.
+  // The areas of the exits have the ratio 1 : 1 : 2, because two exits are on the boundary.
   EXPECT_NEAR(spreading_solver.arrival(vertex_at(8, 6)), 0.5, 1e-3);
   EXPECT_NEAR(spreading_solver.arrival(vertex_at(0, 6)), 0.25, 1e-3);
 }
@@ -179,7 +179,7 @@ TEST(Region_transport_solver, accepts_locations_in_faces)
                to_right = std::sqrt(CGAL::squared_distance(mesh.point(from), point(right)));
   using Solver = GP::Region_transport_solver<Mesh>;
   Solver one(mesh, left);
-  EXPECT_NEAR(one.compute(from).value, to_left, 2e-3 * to_left); // the gap
+  EXPECT_NEAR(one.compute(from).value, to_left, 2e-3 * to_left); // relative gap
   double mass = 0., x = 0., y = 0.;
   for(const Vertex v : vertices(mesh))
   {

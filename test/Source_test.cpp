@@ -31,7 +31,7 @@ TEST(Source, is_constructed_from_vertex_location_or_polyline)
       line(Source::Polyline{location, location}, -1.);
   EXPECT_EQ(std::get<Mesh::Vertex_index>(vertex_source.location()), vertex);
   EXPECT_EQ(vertex_source.offset(), 0.);
-  EXPECT_EQ(vertex_source.label(17), 17u); // its position
+  EXPECT_EQ(vertex_source.label(17), 17u); // the default label is the index in the range
   EXPECT_EQ(std::get<Source::Polyline>(location_source.location()), Source::Polyline{location});
   EXPECT_EQ(location_source.offset(), 0.25);
   EXPECT_EQ(location_source.label(17), 3u);
@@ -60,7 +60,7 @@ void expect_border_sources()
       const Point p = point_of(mesh.mesh, line[i]), q = point_of(mesh.mesh, line[i + 1]);
       EXPECT_NEAR(distance(p, {0., 0., 0.}), radius, 1e-12);
       EXPECT_NEAR(distance(p, q), 2. * radius * std::sin(GP::test::pi / 12.), 1e-12);
-      // The next one lies in a common face: of one half-edge on the border.
+      // The next location lies in a common face: on an edge with one halfedge on the boundary.
       const Point middle = {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.};
       bool is_edge_midpoint = false;
       for(const auto h : halfedges(mesh.mesh))

@@ -24,7 +24,7 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-// Of sums of some ten lengths.
+// Round-off errors of sums of about ten lengths.
 constexpr double round_off = 1e-9;
 
 double length_between(const Kernel::Point_3& p, const Kernel::Point_3& q)
@@ -32,7 +32,7 @@ double length_between(const Kernel::Point_3& p, const Kernel::Point_3& q)
   return std::sqrt(CGAL::squared_distance(p, q));
 }
 
-// What falls off from a point of a mesh.
+// Returns a Gaussian density around a point of a mesh.
 auto gaussian(const Mesh& mesh, const Kernel::Point_3& center, double width)
 {
   return GP::mass_density(boost::make_function_property_map<Vertex>(
@@ -52,7 +52,7 @@ void expect_line(const Line& line)
   EXPECT_NEAR(line.length, length, round_off);
 }
 
-// In the plane lines are straight, and as long as the potential says.
+// In the plane, streamlines are straight and their lengths equal the potential differences.
 TEST(Streamline_tracer, is_straight_in_plane)
 {
   const Mesh mesh = mesh_of(square(24, 0.2));
@@ -73,10 +73,10 @@ TEST(Streamline_tracer, is_straight_in_plane)
     EXPECT_LE(line.front_distance, line.length + round_off);
     sum += line.length / 200.;
   }
-  // The assignment costs as much as the masses do: within 2 %.
+  // The assignment by streamlines costs as much as the transport plan, within 2 %.
   EXPECT_NEAR(sum, distance.value, 0.02 * distance.value);
 
-  // As they are traced they have the same ends, and are a little longer: 1 % in the mean.
+  // Unshortened streamlines have the same endpoints and are 1 % longer in the mean.
   const auto trace_unshortened = solver.streamlines(GP::parameters::do_straighten(false));
   std::vector<GP::Streamline<Mesh>> unshortened_lines;
   trace_unshortened(200, std::back_inserter(unshortened_lines));
@@ -90,7 +90,7 @@ TEST(Streamline_tracer, is_straight_in_plane)
   EXPECT_LE(traced_length, 1.01 * sum);
 }
 
-// On a sphere they are great circles, which are longer by less than 1 % than the chords of 2,562 vertices.
+// On a sphere, streamlines follow great circles, at most 1 % longer than chords of 2,562 vertices.
 TEST(Streamline_tracer, follows_great_circles)
 {
   const Mesh mesh = mesh_of(icosphere(4));
@@ -112,7 +112,7 @@ TEST(Streamline_tracer, follows_great_circles)
   EXPECT_NEAR(cost, distance.value, 0.02 * distance.value);
 }
 
-// Around a cylinder, unrolled: a seed goes to the point mass.
+// On an unrolled cylinder, the streamline of a seed ends at the point mass.
 TEST(Streamline_tracer, ends_at_point_masses)
 {
   const Mesh mesh = mesh_of(cylinder(36, 16, 1., 2.));
@@ -139,7 +139,7 @@ TEST(Streamline_tracer, ends_at_point_masses)
     EXPECT_EQ(GP::make_domain(mesh).point(GP::make_domain(mesh).inner(before)), mesh.point(from));
     EXPECT_EQ(GP::make_domain(mesh).point(GP::make_domain(mesh).inner(after)), mesh.point(to));
   }
-  // The tracer keeps what it follows.
+  // The tracer owns a copy of the flow. Another query of the solver does not change it.
   solver.compute(to, from);
   EXPECT_EQ(trace(from).points, line.points);
 }
@@ -162,7 +162,7 @@ TEST(Streamline_tracer, ends_in_region)
   }
 }
 
-// Where speeds differ, the quickest way is not straight.
+// If speeds differ, the fastest path is not straight.
 TEST(Streamline_tracer, is_not_shortened_if_speeds_differ)
 {
   Mesh mesh = mesh_of(square(16));
@@ -177,7 +177,7 @@ TEST(Streamline_tracer, is_not_shortened_if_speeds_differ)
   double highest = 0.;
   for(const auto& p : line.points)
     highest = std::max(highest, p.y());
-  EXPECT_GE(highest, 0.5); // through what is quick
+  EXPECT_GE(highest, 0.5); // passes through the fast region
 }
 
 TEST(Streamline_tracer, works_on_clouds)

@@ -68,7 +68,7 @@ TEST(Subdivision_wavelet, reconstructs_all_mesh_types)
       expect_identity<Mesh>(surface, scale);
       expect_identity<CGAL::Polyhedron_3<Kernel>>(surface, scale);
 #ifdef GEODESIC_PROCESSING_HAS_OPENMESH
-      // Its points are floats.
+      // OpenMesh points have single precision.
       expect_identity<OpenMesh::TriMesh_ArrayKernelT<>>(surface, 1e6 * scale);
 #endif
     }
@@ -87,14 +87,15 @@ TEST(Subdivision_wavelet, reports_levels)
   EXPECT_EQ(wavelet.number_of_vertices(), mesh.number_of_vertices());
   for(std::size_t i = 0; i < wavelet.number_of_vertices(); ++i)
   {
-    EXPECT_EQ(wavelet.vertex(i), Vertex(Mesh::size_type(i))); // they were level by level
+    EXPECT_EQ(wavelet.vertex(i),
+              Vertex(Mesh::size_type(i))); // the vertices were created level by level
     const auto [a, b] = wavelet.parents(i);
     EXPECT_TRUE(i < 12 ? a == i && b == i : a < i && b < i && a != b);
   }
   EXPECT_EQ(GP::Subdivision_wavelet<Mesh>(mesh, number_of_levels(1)).number_of_vertices(0), 162u);
 }
 
-// Numbers, colours and places, in any order of the vertices.
+// Scalars, colors and points, for any order of the vertices.
 TEST(Subdivision_wavelet, supports_scalars_and_arrays)
 {
   Triangulation surface = finest(icosphere(0), 2, onto_bumpy_sphere);
@@ -138,7 +139,8 @@ TEST(Subdivision_wavelet, supports_scalars_and_arrays)
 
 TEST(Subdivision_wavelet, updates_preserve_mean)
 {
-  // A closed surface without corners of odd shapes: the regular torus, where every vertex weighs alike.
+  // A closed surface without irregular vertices: on the regular torus, all vertices have equal
+  // weight.
   const std::size_t n = 6;
   Triangulation torus;
   for(std::size_t i = 0; i < n * n; ++i)
@@ -182,7 +184,7 @@ TEST(Subdivision_wavelet, error_decreases_with_number_of_details)
     EXPECT_GT(error, last);
     last = error;
   }
-  EXPECT_LT(last, 0.3); // what an icosahedron misses of a sphere with bumps
+  EXPECT_LT(last, 0.3); // deviation of an icosahedron from a bumpy sphere
 }
 
 TEST(Subdivision_wavelet, throws_on_invalid_input)
@@ -233,7 +235,7 @@ TEST(Subdivision_wavelet, supports_components_and_isolated_vertices)
   {
     const auto difference =
         decoded.point(Vertex(Mesh::size_type(i))) - mesh.point(wavelet.vertex(i));
-    // 24 planes of numbers below 16 times 7.
+    // 24 bit planes for coefficients below 16 times 7.
     EXPECT_LT(std::sqrt(difference.squared_length()), 112. * std::ldexp(1., -20));
   }
 }

@@ -43,7 +43,7 @@ void expect_paths(const Triangulation& shape, double scale)
         EXPECT_GE(b, 0.);
         sum += b;
       }
-      EXPECT_NEAR(sum, 1., 1e-15 * 4); // a few roundings
+      EXPECT_NEAR(sum, 1., 1e-15 * 4); // a few round-off errors
       if(i == 0)
         continue;
       const double step = distance(to_array(path.points[i - 1]), to_array(path.points[i]));
@@ -51,8 +51,8 @@ void expect_paths(const Triangulation& shape, double scale)
       length += step;
     }
     EXPECT_NEAR(path.length, length, rounding);
-    // The front errs by some tenths of a percent, and by more behind bumps; a path is not shorter
-    // than the surface's distance.
+    // The front errs by some tenths of a percent, and by more behind bumps. A path is at least as
+    // long as the exact surface distance.
     EXPECT_NEAR(path.front_distance, path.length, 0.03 * path.length);
   }
 }
@@ -70,7 +70,7 @@ TEST(Surface_path, is_straight_in_plane)
   fill(mesh, plane);
   const auto path = geodesic_path(mesh.mesh, mesh.vertices[168], mesh.vertices[0]);
   EXPECT_NEAR(path.length, std::sqrt(2.), 1e-12);        // a sum of some tens of lengths
-  EXPECT_NEAR(path.front_distance, std::sqrt(2.), 1e-7); // the front's rounding
+  EXPECT_NEAR(path.front_distance, std::sqrt(2.), 1e-7); // round-off error of the front
 }
 
 TEST(Surface_path, is_empty_between_components)

@@ -38,7 +38,7 @@ TEST(Surfel_domain, represents_range)
   {
     EXPECT_EQ(domain.vertex(domain.index(i)), i);
     EXPECT_LT(CGAL::squared_distance(domain.point(domain.inner_vertex(i)), surfels[i].first),
-              1e-28); // roundings of coordinates near 1, squared
+              1e-28); // squared round-off errors of coordinates near 1
   }
 }
 
@@ -79,7 +79,7 @@ TEST(Surfel_domain, skips_removed_points)
 
 TEST(Surfel_domain, reads_named_property_maps)
 {
-  // Points and normals apart, of an exact kernel, with radii that join nothing.
+  // Separate points and normals of an exact kernel, with radii too small for any triangle.
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   std::vector<Exact::Point_3> points;
   std::vector<Exact::Vector_3> normals(30 * 30, Exact::Vector_3(0, 0, 5));
@@ -106,7 +106,7 @@ TEST(Surfel_domain, locations_round_trip)
   const Surfels surfels = flat_surfels(2000);
   const GP::Surfel_domain<Surfels> domain(surfels, maps);
   std::mt19937 random(2);
-  std::uniform_real_distribution<double> offset(-1e-5, 1e-5); // inside of the star
+  std::uniform_real_distribution<double> offset(-1e-5, 1e-5); // within the one-ring
   for(std::size_t i = 0; i < surfels.size(); ++i)
   {
     const auto p = surfels[i].first;
@@ -115,7 +115,8 @@ TEST(Surfel_domain, locations_round_trip)
     const GP::Location<Surfels> location{i, {offset(random), offset(random)}};
     const auto inner = domain.inner(location);
     const auto again = domain.inner(domain.outer(inner));
-    // In a plane the way there and back ends at the same point, though in another surfel's plane.
+    // In a plane, conversion back and forth yields the same point, possibly in another surfel's
+    // plane.
     EXPECT_LT(CGAL::squared_distance(domain.point(inner), domain.point(again)), 1e-26);
     EXPECT_NEAR(std::sqrt(CGAL::squared_distance(domain.point(inner), p)),
                 std::hypot(location.offset[0], location.offset[1]), 1e-12);
@@ -149,7 +150,7 @@ TEST(Surfel_domain, uses_at_most_700_bytes_per_surfel)
       bytes_of(t.ring) + bytes_of(t.weight) + bytes_of(t.graph.begin) + bytes_of(t.graph.target) +
       bytes_of(t.graph.length) + bytes_of(t.point) + bytes_of(t.normal) + bytes_of(s.radius) +
       bytes_of(s.internal_vertex) + bytes_of(s.caller_vertex);
-  // What its documentation says, with the tree of points and indices.
+  // The documented memory bound, including the tree of points and indices.
   EXPECT_LE(bytes, 700 * surfels.size());
 }
 

@@ -43,7 +43,7 @@ TEST(Surfel_path_finder, finds_great_circles)
   {
     const auto path = finder(std::size_t(0), to);
     const double expected = great_circle(surfels[0].first, surfels[to].first);
-    EXPECT_NEAR(path.front_distance, expected, 1e-8); // fourth order in steps of a hundredth
+    EXPECT_NEAR(path.front_distance, expected, 1e-8); // fourth-order error with steps of 0.01
     EXPECT_LE(path.length, path.front_distance * (1. + 1e-12));
     EXPECT_LE(path.front_distance, path.start_length * (1. + 1e-12));
     ASSERT_EQ(path.points.size(), path.locations.size());
@@ -70,9 +70,9 @@ TEST(Surfel_path_finder, locations_refer_to_nearest_surfels)
     for(const auto& [other, other_normal] : surfels)
       min_squared_distance =
           std::min(min_squared_distance, CGAL::squared_distance(other, path.points[i]));
-    // Two may be equally near.
+    // Two surfels may be equally close.
     EXPECT_LE(CGAL::squared_distance(center, path.points[i]), min_squared_distance * (1. + 1e-9));
-    // The offsets are the way along the surfel's plane.
+    // The offsets are measured in the surfel's tangent plane.
     const double tangential_square = offset[0] * offset[0] + offset[1] * offset[1];
     const double normal_component =
         (path.points[i] - center) * normal / std::sqrt(normal.squared_length());
@@ -102,7 +102,7 @@ TEST(Surfel_path_finder, connects_locations)
   using Location = GP::Surfel_path_finder<Surfels>::Location;
   const auto& p = surfels[1].first;
   const auto& q = surfels[2].first;
-  // Normals are those of the plane, whose tangents have an origin and two axes.
+  // In a plane, all surfels have its normal. A tangent plane has an origin and two axes.
   const auto path = finder(Location{1, {0.003, 0.}}, Location{2, {0., 0.004}});
   const double direct = std::sqrt(CGAL::squared_distance(p, q));
   EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.front(), p)), 0.003, 1e-12);
@@ -145,7 +145,8 @@ TEST(Surfel_path_finder, agrees_between_methods)
                                                         .node_weight(0.7)
                                                         .segment_weight(0.7)
                                                         .number_of_control_points(60));
-    // A disk's middle touches the sphere, 2500 of which are of a radius of 0.06: 0.1 % of the radius.
+    // The 2,500 disks have radius 0.06 and touch the sphere at their centers. The error is 0.1 %
+    // of the sphere's radius.
     EXPECT_NEAR(finder(std::size_t(0), std::size_t(1000)).front_distance, expected,
                 4e-3 * expected);
   }
@@ -166,7 +167,8 @@ TEST(Surfel_path_finder, agrees_between_search_methods)
   }
 }
 
-// Scans with normals, or with those that CGAL finds; empty where there are none.
+// Returns a scan with normals, estimated by CGAL if the file has none. Returns an empty set if the
+// file is missing.
 Point_set scan(const std::string& name)
 {
   Point_set points;
@@ -184,8 +186,8 @@ Point_set scan(const std::string& name)
   return points;
 }
 
-// Checks random paths, and calls visit(path): no point of them may be farther from the nearest surfel than
-// the 95th percentile of the spacing there.
+// Checks random paths and calls `visit(path)`. The distance of path points to the nearest surfel
+// must not exceed the 95th percentile of the local spacing.
 template <typename Visit>
 void expect_path_points_near_surfels(const Point_set& points, int number_of_paths,
                                      const Visit& visit)
@@ -197,7 +199,7 @@ void expect_path_points_near_surfels(const Point_set& points, int number_of_path
         {points.point(index).x(), points.point(index).y(), points.point(index).z()});
   const GP::internal::Kd_tree tree(points_of_cloud, order);
   std::vector<GP::internal::Kd_tree::Neighbor> neighbors;
-  // As far as the sixth neighbour, as many as a surfel of an even cloud has.
+  // Spacing is the distance to the sixth neighbor, as many as a surfel of a uniform cloud has.
   std::vector<double> spacing;
   for(const auto& p : points_of_cloud)
   {
@@ -236,7 +238,8 @@ TEST(Surfel_path_finder, stays_near_surfels_of_scans)
     expect_path_points_near_surfels(points, 25,
                                     [&](const auto& path)
                                     {
-                                      // From one surfel to the next the surface turns, but not to its other side.
+                                      // Between consecutive surfels the normal turns, but does not
+                                      // flip to the opposite side.
                                       for(std::size_t k = 1; k < path.points.size(); ++k)
                                       {
                                         EXPECT_GT(points.normal(path.locations[k - 1].surfel) *
@@ -249,8 +252,8 @@ TEST(Surfel_path_finder, stays_near_surfels_of_scans)
 
 TEST(Surfel_path_finder, stays_near_surfels_of_uneven_scans)
 {
-  // From the air and of a quarry, with much noise, from one place with densities in the ratio of hundreds,
-  // and with holes.
+  // An aerial scan, a noisy scan of a quarry, a scan from one viewpoint with a density ratio of
+  // hundreds, and a scan with holes.
   for(const std::string name :
       {"b9_aerial_22k.ply", "isprs_samp53_34k_utm.ply", "radar_21k.ply", "hippo1_6k.ply"})
   {
@@ -264,7 +267,8 @@ TEST(Surfel_path_finder, stays_near_surfels_of_uneven_scans)
 
 TEST(Surfel_path_finder, is_robust_to_strong_noise)
 {
-  // Points off a unit sphere by 1.7 times their spacing, and normals by 18 degrees in the median.
+  // Points deviate from a unit sphere by 1.7 times their spacing. Normals deviate by 18 degrees in
+  // the median.
   const Point_set points = scan("sphere_21k_normals.ply");
   if(points.empty())
     GTEST_SKIP() << no_models;
@@ -285,7 +289,7 @@ TEST(Surfel_path_finder, is_robust_to_strong_noise)
     const double expected = std::acos(direction(from) * direction(to));
     sum += std::pow(finder(from, to).front_distance / expected - 1., 2);
   }
-  // The ends are off by 0.005 of the radius, of distances of 1.6 in the mean, but 0.4 for some.
+  // End points are off by 0.005 of the radius. Distances are 1.6 in the mean, some only 0.4.
   EXPECT_LT(std::sqrt(sum / number_of_paths), 0.01);
 }
 

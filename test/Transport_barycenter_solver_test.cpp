@@ -186,7 +186,7 @@ TEST(Transport_barycenter_solver, respects_speeds)
       speed[f] = 0.;
   }
   const double path_length =
-      std::hypot(4., 4.) + 1. + std::hypot(3., 4.); // around the wall's corners
+      std::hypot(4., 4.) + 1. + std::hypot(3., 4.); // around the corners of the wall
   const double exact_around_wall = 0.25 * 0.5 * std::pow(path_length / 12., 2);
   EXPECT_NEAR(value(), exact_around_wall,
               0.02 * exact_around_wall); // a fraction of an edge length is lost at the corners

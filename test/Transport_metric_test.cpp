@@ -28,7 +28,7 @@ Point_set point_set_of(const Surfels& surfels)
   return result;
 }
 
-// That pairs, matrices and maps say the same, on a domain and some of its places.
+// Checks that pairs, matrices and maps are consistent on a domain, for some of its locations.
 template <typename Domain, typename Vertex_or_location>
 void expect_consistent_metric(const Domain& domain,
                               const std::vector<Vertex_or_location>& locations)
@@ -55,13 +55,13 @@ void expect_consistent_metric(const Domain& domain,
         EXPECT_EQ(metric.distance(locations[i], locations[j], tolerance), cost.value);
         EXPECT_EQ(metric.distance(locations[j], locations[i], tolerance), cost.value);
         EXPECT_EQ(i == j, cost.upper == 0.);
-        // Fields in float without a basis, another order of sums with one.
+        // Without a basis, fields have single precision. With one, the order of summation differs.
         EXPECT_NEAR(d(i, j), cost.value, (k == 0 ? 1e-5 : tolerance) * cost.upper);
       }
   }
 }
 
-// The same from all sites as by pairs.
+// Checks that a distance map over all vertices equals the distances of pairs.
 template <typename Surface, typename Map, typename Key>
 void expect_map_matches_pairs(const GP::Transport_metric<Surface>& metric, Map map,
                               const std::vector<Key>& keys)
@@ -72,7 +72,7 @@ void expect_map_matches_pairs(const GP::Transport_metric<Surface>& metric, Map m
   for(std::size_t i = 1; i < keys.size(); ++i)
   {
     const GP::Earth_movers_cost cost = metric.cost(keys[0], keys[i]);
-    EXPECT_GE(get(map, keys[i]), cost.lower * (1. - 1e-6)); // sums of floats
+    EXPECT_GE(get(map, keys[i]), cost.lower * (1. - 1e-6)); // sums in single precision
     sum += get(map, keys[i]) / cost.upper - 1.;
   }
   EXPECT_LT(sum / double(keys.size()), 0.01);
@@ -129,7 +129,8 @@ TEST(Transport_metric, distance_map_matches_pairs)
   }
 }
 
-// Distances scale with the surface; powers of two leave the digits alone, others round coordinates.
+// Distances scale with the surface. Scaling by powers of two is exact; other factors round
+// coordinates.
 TEST(Transport_metric, is_unit_invariant)
 {
   const Triangulation shape = torus(20, 10);
@@ -149,7 +150,8 @@ TEST(Transport_metric, is_unit_invariant)
     }
 }
 
-// A sheet whose columns of squares stay plane while it is rolled up: no length changes.
+// Returns a sheet that is rolled up while its columns of squares stay planar. Rolling preserves
+// lengths.
 Triangulation rolled_sheet(std::size_t columns, std::size_t rows, double angle)
 {
   std::vector<std::array<double, 2>> line = {{0., 0.}};
@@ -178,7 +180,7 @@ TEST(Transport_metric, is_isometry_invariant)
       const Vertex to{Mesh::size_type(i)};
       const GP::Earth_movers_cost expected = metric.cost(Vertex(0), to),
                                   found = rolled_metric.cost(Vertex(0), to);
-      // Coordinates are rounded, and eigenfunctions found up to some digits.
+      // Coordinates are rounded, and eigenfunctions have limited precision.
       EXPECT_LE(found.lower, expected.upper * (1. + 1e-6));
       EXPECT_LE(expected.lower, found.upper * (1. + 1e-6));
     }
@@ -201,14 +203,15 @@ TEST(Transport_metric, decreases_towards_geodesic_distance)
       EXPECT_LE(cost.lower, previous_upper);
       previous_upper = cost.upper;
     }
-    // The paper's measure of points stays that much above however large the basis is.
+    // The paper's distance between points exceeds the exact one by this factor for every basis
+    // size.
     EXPECT_LT(previous_upper, 1.26 * std::sqrt(2.));
-    EXPECT_GT(previous_upper,
-              0.99 * std::sqrt(2.)); // what masses in triangles around points may gain
+    // Masses distributed in triangles around points may shorten the distance.
+    EXPECT_GT(previous_upper, 0.99 * std::sqrt(2.));
   }
 }
 
-// What is measured is the flow that is written: of masses everywhere, per area or not, and of places.
+// The cost equals that of the written flow: for masses on all vertices, densities and locations.
 TEST(Transport_metric, accepts_all_kinds_of_masses)
 {
   Mesh mesh = mesh_of(square(12, 0.24));
@@ -232,13 +235,13 @@ TEST(Transport_metric, accepts_all_kinds_of_masses)
   for(const std::size_t k : {0, 30})
   {
     const GP::Transport_metric<Mesh> metric(mesh, k);
-    // From a mass of one per area to 2 x: all moves along x, by the sum of x - x * x.
+    // From density 1 to density 2 x: all mass moves along x, by the integral of x - x * x.
     const GP::Earth_movers_cost ramp =
         metric.cost(GP::mass_density(low), GP::mass_density(high), measured);
     EXPECT_NEAR(ramp.upper, cost_of_flow(), 1e-12);
-    EXPECT_NEAR(ramp.value, 1. / 6., 0.5 / (12. * 12.)); // of the order of the square of a side
+    EXPECT_NEAR(ramp.value, 1. / 6., 0.5 / (12. * 12.)); // of the order of the squared edge length
 
-    // Of sums of masses, and of equal ones.
+    // Sums of masses, and equal distributions.
     const std::vector<Vertex> corners = {Vertex(0), Vertex(168)};
     const GP::Earth_movers_cost apart = metric.cost(corners, Vertex(84), measured);
     EXPECT_NEAR(apart.upper, cost_of_flow(), 1e-12);
@@ -248,7 +251,7 @@ TEST(Transport_metric, accepts_all_kinds_of_masses)
     EXPECT_THROW(metric.cost(low, Vertex(0)), GP::Invalid_argument_error);
     const GP::Earth_movers_cost spread =
         metric.cost(low, Vertex(84), GP::parameters::do_normalize(true));
-    EXPECT_GT(spread.lower, 0.3); // the mean distance of a square's points from its middle is 0.38
+    EXPECT_GT(spread.lower, 0.3); // the mean distance of a square's points from its center is 0.38
   }
 }
 

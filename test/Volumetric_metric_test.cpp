@@ -27,10 +27,10 @@ using namespace GP::test;
 using Metric = GP::Volumetric_metric<Mesh>;
 using Point_3 = Kernel::Point_3;
 
-// Of the bounds, by default.
+// The default tolerance of the bounds.
 constexpr double relative_gap = 1e-3;
 
-// Two long rooms side by side, joined at one end: a U of cubes.
+// Returns two long parallel rooms, joined at one end: a U of cubes.
 Triangulation u_shaped_room()
 {
   return blocks(3, 2, 8, [](int x, int, int z) { return x != 1 || z == 0; });
@@ -66,10 +66,10 @@ TEST(Volumetric_metric, equals_transport_distance_on_surface)
   for(const Vertex v : {Vertex(0), Vertex(100), Vertex(600)})
   {
     const GP::Earth_movers_cost cost = metric.cost(mesh.point(Vertex(3)), mesh.point(v));
-    // Coordinates of the vertices themselves are ones and zeros up to rounding.
+    // At a mesh vertex, the coordinates are ones and zeros up to round-off errors.
     EXPECT_NEAR(cost.value, solver.compute(Vertex(3), v).value, 1e-9);
     EXPECT_LE(cost.lower, exact[v] * (1. + 1e-9));
-    EXPECT_NEAR(cost.value, exact[v], 0.01 * exact[v]); // a part of an edge, of 0.04
+    EXPECT_NEAR(cost.value, exact[v], 0.01 * exact[v]); // a fraction of the edge length 0.04
   }
 }
 
@@ -98,14 +98,14 @@ TEST(Volumetric_metric, is_metric_above_euclidean_distance)
   }
 }
 
-// In a slab whose sides are far away, along it; nothing is in the way there.
+// Distances along a slab whose side walls are far away and have no influence.
 TEST(Volumetric_metric, is_euclidean_between_parallel_planes)
 {
   const Mesh mesh = mesh_of(blocks(20, 20, 1, [](int, int, int) { return true; }));
   const Metric metric(mesh);
   const double d = metric.distance(Point_3(5., 10., 0.5), Point_3(15., 10., 0.5));
   EXPECT_GE(d, 10. * (1. - relative_gap));
-  EXPECT_LE(d, 10.1); // the last percent is what masses near to each other must go around
+  EXPECT_LE(d, 10.1); // nearby masses take a detour of at most 1 %
 }
 
 TEST(Volumetric_metric, avoids_walls)
@@ -113,11 +113,11 @@ TEST(Volumetric_metric, avoids_walls)
   const Metric metric(mesh_of(u_shaped_room()));
   const Point_3 end(0.5, 1., 7.5), other_end(2.5, 1., 7.5);
   const double inside = metric.distance(end, other_end);
-  EXPECT_GT(inside, 2. * 6.5 + 1.); // down one room and up the other
+  EXPECT_GT(inside, 2. * 6.5 + 1.); // along one room and back along the other
   EXPECT_LT(inside, 2. * 8. + 3.);  // along the outer walls
 }
 
-// Positive coordinates are masses that need not go farther than any two places are apart.
+// Coordinates are positive, so all mass moves by at most the diameter.
 TEST(Volumetric_metric, is_at_most_diameter_inside_convex_meshes)
 {
   const Mesh mesh = mesh_of(icosphere(3));
@@ -157,7 +157,8 @@ TEST(Volumetric_metric, writes_potential_and_flow)
     dual_value += potential[v] * (coordinates_of_q[v] - coordinates_of_p[v]);
   EXPECT_NEAR(std::max(dual_value, euclidean_distance(p, q)), cost.lower, 1e-12);
   EXPECT_GE(cost.upper_continuous, cost.upper * (1. - 1e-9));
-  // On either side a mass of one is gathered in vertices: half an edge of 0.16 at most.
+  // On either side, unit mass is gathered at vertices, which moves it by at most half an edge
+  // length of 0.16.
   EXPECT_LE(cost.upper_continuous, cost.upper + 0.16);
   double length = 0.;
   for(const Face f : mesh.faces())
@@ -192,7 +193,7 @@ TEST(Volumetric_metric, one_to_many_error_is_below_one_percent)
       metric.costs(from, to, GP::parameters::callback([](double) { return false; })).empty());
 }
 
-// Lengths of a path, and that no segment of it meets the surface.
+// Returns the length of a path. Checks that no segment of it intersects the surface.
 double length_of_path(const std::vector<Point_3>& path, const Mesh& mesh)
 {
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;

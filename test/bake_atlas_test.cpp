@@ -37,7 +37,7 @@ struct Baked
         GP::parameters::gutter_width(gutter).background(GP::Decal_color{0., 0., 1., 1.}));
   }
 
-  // Between the middles of four texels.
+  // Interpolates between the centers of four texels.
   GP::Decal_color lookup(const UV& texture_point) const
   {
     const double x = texture_point[0] * double(size) - 0.5,
@@ -87,13 +87,13 @@ TEST(bake_atlas, background_is_not_sampled)
     for(int i = 0; i < 5000; ++i)
     {
       auto location = random_location_of(baked.mesh, random);
-      if(i % 2 == 0) // at seams, among others: on an edge
+      if(i % 2 == 0) // points on edges, including seams
         location.second = {location.second[0], 1. - location.second[0], 0.};
       const GP::Decal_color color = baked.lookup(baked.uv_of(location));
       EXPECT_NEAR(color[0], 1., 1e-12);
       EXPECT_NEAR(color[2], 0., 1e-12);
     }
-    // But it is there.
+    // The decal was baked.
     EXPECT_GT(std::count(baked.texels.begin(), baked.texels.end(), GP::Decal_color{0., 0., 1., 1.}),
               100);
   }
@@ -114,7 +114,8 @@ TEST(bake_atlas, colors_match_surface_positions)
     max_error = std::max(
         max_error, std::abs(baked.lookup(baked.uv_of(location))[0] - height(baked.mesh, location)));
   }
-  // The four texels show places within two of their diagonals, and charts shrink no length to less than half.
+  // The four texels show points within two texel diagonals. Charts shrink lengths by at most a
+  // factor of two.
   EXPECT_LT(max_error, 2. * 2. * std::sqrt(2.) / baked.atlas.texels_per_length);
 }
 

@@ -51,7 +51,8 @@ void expect_the_same(const Bytes& bytes, const Mesh& mesh)
   {
     const auto& p = mesh.point(Vertex(i++));
     for(int k = 0; k < 3; ++k)
-      EXPECT_NEAR(get(points, v)[k], p[k], 1e-5); // 24 planes below 16, those along the surface 22
+      EXPECT_NEAR(get(points, v)[k], p[k],
+                  1e-5); // 24 bit planes below 16; tangential coefficients have 22
   }
 }
 
@@ -66,7 +67,7 @@ TEST(decode_wavelets, supports_all_mesh_types)
 #endif
 }
 
-// Where vertices pinch and there are borders as well.
+// A mesh with pinched vertices and boundary.
 TEST(decode_wavelets, supports_pinched_boundary_vertices)
 {
   const Triangulation bow = {
@@ -86,7 +87,7 @@ TEST(decode_wavelets, is_idempotent)
   Mesh once, twice;
   GP::decode_wavelets(stream_of(mesh), once);
   GP::decode_wavelets(stream_of(once), twice);
-  EXPECT_LT(root_mean_square(once, twice), 1e-6); // 24 planes of numbers below 8
+  EXPECT_LT(root_mean_square(once, twice), 1e-6); // 24 bit planes for coefficients below 8
 }
 
 TEST(decode_wavelets, handles_truncated_and_damaged_streams)
@@ -117,7 +118,7 @@ TEST(decode_wavelets, handles_truncated_and_damaged_streams)
             std::isfinite(decoded.point(v).x() + decoded.point(v).y() + decoded.point(v).z()));
     }
   }
-  EXPECT_GT(meshes, bytes.size()); // most of the bytes are planes
+  EXPECT_GT(meshes, bytes.size()); // most of the bytes belong to bit planes
 }
 
 TEST(decode_wavelets, throws_on_invalid_streams)

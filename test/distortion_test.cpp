@@ -26,7 +26,7 @@ TEST(distortion, measures_match_the_literature)
   EXPECT_DOUBLE_EQ(d.symmetric_mips(), 4.25);
   EXPECT_DOUBLE_EQ(d.conformal(), 1.125);
   EXPECT_DOUBLE_EQ(d.green_lagrange(), 9. + 0.5625);
-  EXPECT_DOUBLE_EQ(d.combined(1.), 8.5); // areas are kept
+  EXPECT_DOUBLE_EQ(d.combined(1.), 8.5); // areas are preserved
   EXPECT_DOUBLE_EQ(d.dirichlet(), 2.125);
   EXPECT_DOUBLE_EQ(d.l2_stretch(), std::sqrt(2.125));
   EXPECT_DOUBLE_EQ(d.linf_stretch(), 2.);
@@ -41,11 +41,11 @@ TEST(distortion, measures_match_the_literature)
   EXPECT_EQ(none.riemannian(), 0.);
 }
 
-// By the map of a sphere around its pole, near it: the coefficients of |u|^2, or of |u|^4, that the
-// curvature gives (Gauss's lemma and the sine of the distance).
+// Near its pole, the normal map of a sphere distorts by known coefficients of |u|^2 or |u|^4. They
+// follow from the curvature (Gauss's lemma and the sine of the distance).
 TEST(distortion, distortion_of_normal_coordinates_follows_curvature)
 {
-  // A cap whose vertices lie on rings 0.01 apart, in normal coordinates.
+  // A cap in normal coordinates, whose vertices lie on rings 0.01 apart.
   const Triangulation cap = rings(
       400, 29, [](double s) { return std::sin(0.01 + 0.29 * s); },
       [](double s) { return std::cos(0.01 + 0.29 * s); });
@@ -60,13 +60,14 @@ TEST(distortion, distortion_of_normal_coordinates_follows_curvature)
   const auto largest = [&](auto measure) { return GP::mesh_distortion(mesh, uv, measure).worst; };
   const double r = 0.3, square = r * r, fourth = square * square;
   using D = GP::Face_distortion;
-  // The next order is r^2 / 10 of these at most, 1 %, and a ring is 3 % of the radius: 7 % of its square.
+  // The next order contributes at most r^2 / 10, i.e. 1 %. A ring is 3 % of the radius, i.e. 7 %
+  // of its square.
   EXPECT_NEAR(largest(&D::mips) - 1., square / 6., 0.07 * square / 6.);
   EXPECT_NEAR(largest(&D::conformal), fourth / 72., 0.14 * fourth / 72.);
   EXPECT_NEAR(largest(&D::green_lagrange), fourth / 9., 0.14 * fourth / 9.);
   EXPECT_NEAR(largest(&D::riemannian), square / 3., 0.07 * square / 3.);
   EXPECT_NEAR(largest(&D::symmetric_stretch) - 1., square / 6., 0.07 * square / 6.);
-  EXPECT_NEAR(largest(&D::linf_stretch), 1., 1e-3); // sides are chords, of arcs of 0.01
+  EXPECT_NEAR(largest(&D::linf_stretch), 1., 1e-3); // edges are chords of arcs of length 0.01
 }
 
 TEST(distortion, halfedge_and_vertex_maps_agree)
@@ -110,13 +111,13 @@ TEST(distortion, flattening_distortion_is_scale_invariant)
   const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
   for(const double scale : {1., 0.01})
   {
-    // By 2 along one axis: the areas agree where it is by the root of two, and its inverse.
+    // Stretches by 2 along one axis. With equal areas, the stretches are sqrt(2) and its inverse.
     for(const Vertex v : mesh.vertices())
       uv[v] = {2. * scale * mesh.point(v).x(), scale * mesh.point(v).y()};
     const auto found = GP::flattening_distortion(mesh, uv);
     EXPECT_EQ(found.number_of_faces, 72u);
     EXPECT_EQ(found.number_of_flips, 0u);
-    EXPECT_NEAR(found.conformal, std::sqrt(0.5), 1e-12); // 2 + 1/2 - 2; roundings
+    EXPECT_NEAR(found.conformal, std::sqrt(0.5), 1e-12); // 2 + 1/2 - 2 up to round-off errors
     EXPECT_NEAR(found.authalic, 0., 1e-12);
     EXPECT_NEAR(found.symmetric_dirichlet, 5., 1e-12);
     EXPECT_NEAR(found.l2_stretch, std::sqrt(1.25), 1e-12);

@@ -37,12 +37,12 @@ TEST(estimate_surfels, estimates_sphere_normals_and_radii)
   for(const auto& index : points)
   {
     const double cosine = points.normal(index) * (points.point(index) - CGAL::ORIGIN);
-    // A jet of degree two through points a tenth apart.
+    // A quadratic jet fit through points at a spacing of 0.1.
     EXPECT_GT(std::abs(cosine), std::cos(0.01));
     if(sign == 0.)
       sign = cosine;
     EXPECT_GT(cosine * sign, 0.);
-    // 642 points: an eighth neighbour is between one and two edges away.
+    // For 642 points, the eighth neighbor is between one and two edge lengths away.
     EXPECT_GT(radius[index], 0.13 / std::sqrt(2.));
     EXPECT_LT(radius[index], 0.33 / std::sqrt(2.));
   }
@@ -55,7 +55,7 @@ TEST(estimate_surfels, removes_outliers)
   for(int i = 0; i < 6; ++i)
     far.insert(*points.insert({3. + i, 2. * i, 1.}));
   const std::size_t before = points.size();
-  // Of 648 points 0.92 % are 5.96.
+  // 0.92 % of 648 points are 5.96 points.
   EXPECT_EQ(GP::estimate_surfels(points,
                                  GP::parameters::outlier_percentage(0.92).number_of_neighbors(12u)),
             6u);
@@ -77,7 +77,7 @@ TEST(estimate_surfels, writes_property_maps_of_range)
   for(std::size_t i = 0; i < surfels.size(); ++i)
   {
     EXPECT_EQ(surfels[i].first, given[i].first);
-    EXPECT_NEAR(std::abs(surfels[i].second.z()), 1., 1e-12); // a plane is a jet
+    EXPECT_NEAR(std::abs(surfels[i].second.z()), 1., 1e-12); // a plane is fitted exactly by a jet
   }
 }
 

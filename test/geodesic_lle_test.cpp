@@ -27,7 +27,7 @@ double uv_distance(const UV& p, const UV& q) { return std::hypot(p[0] - q[0], p[
 
 TEST(geodesic_lle, is_isometric_on_flat_disk)
 {
-  Mesh mesh = mesh_of(cone(64, 30, 2. * CGAL_PI)); // of radius 30
+  Mesh mesh = mesh_of(cone(64, 30, 2. * CGAL_PI)); // radius 30
   auto uv = vertex_map<UV>(mesh);
   const auto base =
       GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(100)));
@@ -38,7 +38,7 @@ TEST(geodesic_lle, is_isometric_on_flat_disk)
       max_error = std::max(
           max_error, std::abs(uv_distance(uv[v], uv[w]) -
                               std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)))));
-  EXPECT_LT(max_error, 1e-3 * 60.); // what was asked for
+  EXPECT_LT(max_error, 1e-3 * 60.); // the required accuracy
   const auto distortion = GP::flattening_distortion(mesh, uv);
   EXPECT_EQ(distortion.number_of_flips, 0u);
 }
@@ -56,12 +56,13 @@ TEST(geodesic_lle, is_isometric_on_square_at_all_scales)
           max_error,
           std::abs(uv_distance(uv[v], uv[Vertex(37)]) -
                    std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(Vertex(37))))));
-    EXPECT_LT(max_error, 1e-4 * scale); // where fronts end they are not exact
+    EXPECT_LT(max_error, 1e-4 * scale); // fronts are not exact where they end
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
   }
 }
 
-// Corridors two squares wide between walls of one, joined at their ends in turns.
+// Returns corridors two squares wide, separated by walls of one square and joined at alternating
+// ends.
 Mesh meander(std::size_t length, std::size_t number)
 {
   const std::size_t height = 3 * number - 1;
@@ -100,7 +101,7 @@ TEST(geodesic_lle, accepts_base_points_and_their_number)
                 mesh, uv, GP::parameters::base_points(given).number_of_neighbors(std::size_t(4))),
             given);
   EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
-  // All vertices at most, each once.
+  // At most all vertices are used, each of them once.
   const auto all =
       GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(1000)));
   EXPECT_EQ(std::set<Vertex>(all.begin(), all.end()).size(), all.size());
@@ -126,7 +127,7 @@ TEST(geodesic_lle, connects_groups_of_base_points)
 {
   Mesh mesh = mesh_of(square(30, 0.2));
   auto uv = vertex_map<UV>(mesh);
-  // In two corners, some vertices apart from each other.
+  // Base points in two opposite corners, at some distance from each other.
   std::vector<Vertex> base;
   const auto add = [&](int row, int column)
   {
@@ -138,7 +139,8 @@ TEST(geodesic_lle, connects_groups_of_base_points)
   add(27, 27);
   const auto flatten = [&](std::size_t neighbors)
   { GP::geodesic_lle(mesh, uv, GP::parameters::base_points(base).number_of_neighbors(neighbors)); };
-  // The three nearest are in the same corner, and the fourth is known.
+  // The three nearest neighbors are in the same corner. The fourth base point of that corner has a
+  // known distance.
   flatten(3);
   double max_error = 0.;
   for(const Vertex v : base)
@@ -146,9 +148,9 @@ TEST(geodesic_lle, connects_groups_of_base_points)
       max_error = std::max(
           max_error, std::abs(uv_distance(uv[v], uv[w]) -
                               std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)))));
-  // The steps of the rigid fit end before what few long links ask for is reached.
+  // The rigid fit stops before the few long-range links are satisfied exactly.
   EXPECT_LT(max_error, 0.02);
-  // Of more in each corner only these are known.
+  // With more base points per corner, only distances within a corner are known.
   add(0, 6);
   add(27, 21);
   EXPECT_THROW(flatten(3), GP::Invalid_argument_error);
@@ -164,8 +166,9 @@ TEST(geodesic_lle, has_bounded_stretch_on_flat_annulus)
   for(const auto e : mesh.edges())
   {
     const Vertex v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    // The required bound.
     EXPECT_LT(uv_distance(uv[v], uv[w]),
-              2. * std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)))); // asked for
+              2. * std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))));
   }
 }
 
@@ -216,7 +219,7 @@ TEST(geodesic_lle, can_be_cancelled)
   EXPECT_EQ(uv[Vertex(3)], (UV{7., 7.}));
 }
 
-// A Polyhedron_3 and OpenMesh's meshes have no named maps: dynamic ones.
+// Polyhedron_3 and OpenMesh meshes have no named property maps. Dynamic ones are used.
 template <typename M>
 void expect_same(const Triangulation& surface, const Mesh& mesh, const std::vector<UV>& expected)
 {
@@ -225,9 +228,9 @@ void expect_same(const Triangulation& surface, const Mesh& mesh, const std::vect
   auto uv = get(CGAL::dynamic_vertex_property_t<UV>(), other.mesh);
   GP::geodesic_lle(other.mesh, uv, GP::parameters::number_of_base_points(std::size_t(30)));
   for(const Vertex v : mesh.vertices())
-    // A square may be turned: its two eigenvectors have one eigenvalue.
+    // The embedding of a square may be rotated, because its two eigenvectors share one eigenvalue.
     EXPECT_NEAR(uv_distance(get(uv, other.vertices[v]), get(uv, other.vertices[0])),
-                uv_distance(expected[v], expected[0]), 1e-4); // where fronts end they are not exact
+                uv_distance(expected[v], expected[0]), 1e-4); // fronts are not exact where they end
 }
 
 TEST(geodesic_lle, is_independent_of_mesh_type)
@@ -260,7 +263,7 @@ TEST(geodesic_lle, flattens_clouds)
     max_error = std::max(
         max_error, std::abs(uv_distance(uv[i], uv[first]) -
                             std::sqrt(CGAL::squared_distance(cloud.point(i), cloud.point(first)))));
-  // Distances on clouds are that near: a thousandth of the square's diagonal.
+  // Distances on clouds are accurate to a thousandth of the square's diagonal.
   EXPECT_LT(max_error, 2e-3);
 }
 
@@ -268,7 +271,7 @@ TEST(geodesic_lle, isolated_surfels_map_to_nan)
 {
   Surfels flat = flat_surfels(500);
   flat.push_back({{0.5, 0.5, 3.}, {0., 0., 1.}});
-  // In the plane, but its normal is wrong.
+  // A point in the plane with a wrong normal.
   flat.push_back({{0.5, 0.51, 0.}, {1., 0., 0.}});
   std::vector<UV> uv(flat.size());
   GP::geodesic_lle(flat, CGAL::make_property_map(uv),
@@ -279,7 +282,8 @@ TEST(geodesic_lle, isolated_surfels_map_to_nan)
     EXPECT_EQ(std::isnan(uv[i][0]), i >= 500) << i;
 }
 
-// Shared models that bend little, or not: by the Gauss-Bonnet sum over inner vertices.
+// Test models with little or no curvature, measured by the Gauss-Bonnet sum over interior
+// vertices.
 TEST(geodesic_lle, has_no_flips_on_gently_curved_patches)
 {
   for(const std::string name :
@@ -299,7 +303,8 @@ TEST(geodesic_lle, has_no_flips_on_gently_curved_patches)
   }
 }
 
-// The two bend by twice 2 pi and more, and have flips before they are turned back.
+// The total curvature of both models is at least 4 pi. Their flattening has flips before
+// unflipping.
 TEST(geodesic_lle, unflips_few_inverted_faces)
 {
   for(const std::string name : {"mushroom_2k.off", "three_peaks_2k.off"})

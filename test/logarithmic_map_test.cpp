@@ -20,7 +20,8 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using Vector_3 = Kernel::Vector_3;
 
-// The mean error of tangent vectors, relative to the distance, of vertices nearer than half of pi.
+// Returns the mean error of tangent vectors relative to the distance, over vertices closer than pi
+// / 2.
 template <typename Method>
 double error_on_sphere(unsigned level)
 {
@@ -38,12 +39,12 @@ double error_on_sphere(unsigned level)
 
 TEST(logarithmic_map, converges_on_a_sphere)
 {
-  // Of first order at least.
+  // The error decreases at least linearly with the edge length.
   const double coarse = error_on_sphere<GP::Gradient<>>(4),
                fine = error_on_sphere<GP::Gradient<>>(5);
   EXPECT_LT(fine, 0.002);
   EXPECT_LT(fine, 0.6 * coarse);
-  EXPECT_LT(error_on_sphere<GP::Exact>(5), 0.001); // what the mesh differs from the sphere by
+  EXPECT_LT(error_on_sphere<GP::Exact>(5), 0.001); // deviation of the mesh from the sphere
 }
 
 TEST(logarithmic_map, is_exact_on_a_plane)
@@ -52,12 +53,13 @@ TEST(logarithmic_map, is_exact_on_a_plane)
   const auto uv = mesh.add_property_map<Vertex, std::array<double, 2>>("v:uv").first;
   const auto frame =
       GP::logarithmic_map(mesh, Vertex(84), uv, GP::parameters::up_direction(Vector_3(1., 2., 5.)));
-  EXPECT_NEAR(frame.v * Vector_3(1., 2., 0.), std::sqrt(5.), 1e-12); // the part in the plane
+  EXPECT_NEAR(frame.v * Vector_3(1., 2., 0.), std::sqrt(5.),
+              1e-12); // the component in the tangent plane
   EXPECT_EQ(frame.origin, mesh.point(Vertex(84)));
   for(const Vertex v : mesh.vertices())
   {
     const Vector_3 offset = mesh.point(v) - frame.origin;
-    // Fronts are exact to 4e-15 of the extent there, which the stencil's length divides.
+    // Fronts are exact to 4e-15 of the extent here. Division by the stencil length amplifies this.
     EXPECT_NEAR(uv[v][0], offset * frame.u, 1e-12);
     EXPECT_NEAR(uv[v][1], offset * frame.v, 1e-12);
   }
@@ -95,7 +97,7 @@ TEST(logarithmic_map, respects_maximum_distance)
   }
   EXPECT_EQ(inside, map.reached().size());
   EXPECT_LT(inside, mesh.number_of_vertices() / 10);
-  // Another place: nothing is left of the last one.
+  // A second query from another vertex discards all results of the first one.
   map.compute(Vertex(100), GP::parameters::maximum_distance(0.));
   EXPECT_EQ(map.reached().size(), 1u);
   EXPECT_FALSE(map.is_inside(Vertex(3)));
@@ -103,7 +105,8 @@ TEST(logarithmic_map, respects_maximum_distance)
 
 TEST(logarithmic_map, converges_linearly_on_irregular_meshes)
 {
-  // A sphere whose vertices have been moved along it by up to a third of an edge.
+  // An icosphere whose vertices are displaced along the surface by up to a third of an edge
+  // length.
   const auto error = [](unsigned level, double stencil_length)
   {
     Triangulation surface = jittered(icosphere(level), 0.3 * 1.2 / std::pow(2., level));
@@ -121,16 +124,17 @@ TEST(logarithmic_map, converges_linearly_on_irregular_meshes)
     return result;
   };
   for(const double stencil_length : {0., 0.2}) // the first is the default
-    EXPECT_LT(error(5, stencil_length), 0.25 * error(3, stencil_length)); // a quarter of the edges
+    EXPECT_LT(error(5, stencil_length),
+              0.25 * error(3, stencil_length)); // the edges are a quarter as long
 }
 
-// Riemann 1854, and Brun 2006 for each measure: how normal coordinates distort near their base depends on the
-// curvature there alone.
+// Compares the distortion of normal coordinates near their base with theory (Riemann 1854; Brun
+// 2006 for each measure). The distortion depends only on the curvature at the base.
 void expect_theory(const Mesh& mesh, Vertex base, double curvature)
 {
   GP::Logarithmic_map<Mesh> map(mesh);
-  // The derivatives of a map need a stencil longer than an edge: with the default one its errors differ
-  // between neighbours by parts of an edge.
+  // Derivatives of the map need a stencil longer than an edge. With the default stencil, errors of
+  // adjacent vertices differ by fractions of an edge length.
   map.compute(base, GP::parameters::maximum_distance(0.65).stencil_length(0.2));
   const auto faces = faces_around(mesh, map, 0.05, 0.6);
   EXPECT_GT(faces.size(), 1000u);
@@ -138,7 +142,7 @@ void expect_theory(const Mesh& mesh, Vertex base, double curvature)
   {
     const double expected = measure.coefficient(curvature),
                  found = fitted_coefficient(measure, faces);
-    // Five percent, of the coefficient of a stretch where there is none.
+    // 5 % of the expected coefficient. If it is zero, 5 % of the coefficient 1/6 of a stretch.
     EXPECT_NEAR(found, expected, 0.05 * (expected == 0. ? 1. / 6. : std::fabs(expected)))
         << measure.name;
   }
@@ -153,8 +157,8 @@ TEST(logarithmic_map, distortion_matches_curvature)
 
 TEST(logarithmic_map, has_bounded_departure_from_linearity)
 {
-  // Measured: 0.20, 0.23 and 0.26 with Exact, where an orthogonal projection has 1.5, 8 and 30 (as one over
-  // the square of the edges).
+  // Measured with `Exact`: 0.20, 0.23 and 0.26. An orthogonal projection yields 1.5, 8 and 30,
+  // which grows with the inverse square of the edge length.
   for(const unsigned level : {3u, 4u, 5u})
   {
     const Mesh mesh = mesh_of(icosphere(level));
@@ -201,8 +205,9 @@ TEST(logarithmic_map, discrete_exponential_is_exact_only_on_planes)
     EXPECT_NEAR(map(v)[0], (flat.point(v) - frame.origin) * frame.u, 1e-13);
     EXPECT_NEAR(map(v)[1], (flat.point(v) - frame.origin) * frame.v, 1e-13);
   }
-  // Where a chain of edges is not near the geodesic, a step across is longer in normal coordinates than it is
-  // here, however short the edges are: measured 2.5, 2.4 and 2.3 % at 2,562 to 40,962 vertices.
+  // If a chain of edges is far from the geodesic, a step across it is longer in normal coordinates
+  // than here. Refinement does not help: 2.5, 2.4 and 2.3 % were measured at 2,562 to 40,962
+  // vertices.
   const double coarse = error_on_sphere<GP::Discrete_exponential>(4),
                fine = error_on_sphere<GP::Discrete_exponential>(5);
   EXPECT_LT(fine, 0.03);
@@ -226,7 +231,7 @@ TEST(logarithmic_map, exponential_inverts_map)
 
 TEST(logarithmic_map, detects_cut_locus)
 {
-  // All around a sphere: around the point opposite, and nowhere else.
+  // On a sphere, the cut locus is the antipodal point. Faces elsewhere are not cut.
   const Mesh mesh = mesh_of(icosphere(4));
   GP::Logarithmic_map<Mesh, GP::Exact> map(mesh);
   map.compute(Vertex(0));
@@ -238,7 +243,7 @@ TEST(logarithmic_map, detects_cut_locus)
       {
         ++number;
         for(const Vertex v : vertices_around_face(mesh.halfedge(f), mesh))
-          EXPECT_GT(std::hypot(map(v)[0], map(v)[1]), 2.3); // 2.47 less a side
+          EXPECT_GT(std::hypot(map(v)[0], map(v)[1]), 2.3); // 2.47 minus an edge length
       });
   EXPECT_EQ(number, map.number_of_cut_faces());
 }
@@ -253,7 +258,7 @@ TEST(logarithmic_map, supports_clouds_and_polyhedra)
 
   GP::Logarithmic_map<Surfels, GP::Discrete_exponential> discrete(map.domain());
   discrete.compute(std::size_t(0), GP::parameters::maximum_distance(CGAL_PI / 2.));
-  // As on a mesh of these points.
+  // Same accuracy as on a mesh of these points.
   EXPECT_LT(mean_error_on_sphere(discrete, [&](std::size_t i) { return surfels[i].first; }), 0.03);
 
   CGAL::Polyhedron_3<Kernel> polyhedron;

@@ -469,8 +469,8 @@ TEST_F(Program, emd_matches_known_costs)
   const nlohmann::json diagonal =
       json("emd square.ply --from 0 --to 80 --values p.txt -o e.ply --hodge --bound-above");
   const double exact = std::sqrt(2.);
-  EXPECT_LE(diagonal["lower"].get<double>(), exact * (1. + 1e-9));   // rounding
-  EXPECT_NEAR(diagonal["value"].get<double>(), exact, 1e-3 * exact); // the gap
+  EXPECT_LE(diagonal["lower"].get<double>(), exact * (1. + 1e-9));   // round-off errors
+  EXPECT_NEAR(diagonal["value"].get<double>(), exact, 1e-3 * exact); // relative gap
   EXPECT_GE(diagonal["upper_continuous"].get<double>(), exact);
   const std::vector<double> potential = numbers("p.txt");
   ASSERT_EQ(potential.size(), 81u);
@@ -509,7 +509,7 @@ TEST_F(Program, emd_matches_known_costs)
       json("matrix square.ply --sources 0,80 --method emd --basis 5 --values d.txt");
   EXPECT_EQ(some["basis"], entries["basis"]);
   EXPECT_NEAR(some["value"].get<double>(), numbers("d.txt")[1], 1e-3 * exact);
-  EXPECT_GT(some["lower"].get<double>(), 0.9 * exact); // of masses spread around points
+  EXPECT_GT(some["lower"].get<double>(), 0.9 * exact); // masses are distributed around points
   const std::string flow = read_file(m_folder / "b.ply");
   EXPECT_NE(flow.find("property double rotation_x\n"), std::string::npos);
   EXPECT_EQ(flow.find("potential"), std::string::npos);
@@ -555,7 +555,8 @@ TEST_F(Program, plan_transports_to_a_region)
   EXPECT_NEAR(full["arrivals"][1].get<double>(), 0.6, 0.02);
   const nlohmann::json halves = json("plan p.ply --from 45 --to arrivals --capacity arrivals");
   const double to_both = 0.5 * (std::hypot(1., 0.625) + std::hypot(1., 0.375));
-  EXPECT_NEAR(halves["value"].get<double>(), to_both, 0.02); // a part of a side where masses part
+  EXPECT_NEAR(halves["value"].get<double>(), to_both,
+              0.02); // a fraction of an edge length where the flow splits
   const nlohmann::json even = json("plan square.ply --from 45 --to 8,80 --spread 100");
   EXPECT_NEAR(even["arrivals"][0].get<double>(), 0.5, 0.01);
   // To a polyline from the corner (0, 0) to (1, 0.5), and to a location in a face.
@@ -620,7 +621,7 @@ TEST_F(Program, streamlines_end_at_the_target)
       json("streamlines square.ply --from 0 --to 8,72 --number 20 -o l.obj");
   EXPECT_EQ(lines["lines"], 20);
   EXPECT_EQ(lines["arrived"], 20);
-  EXPECT_NEAR(lines["mean_length"].get<double>(), 1., 1e-9); // rounding
+  EXPECT_NEAR(lines["mean_length"].get<double>(), 1., 1e-9); // round-off errors
   EXPECT_NE(read_file(m_folder / "l.obj").find("\nl "), std::string::npos);
   EXPECT_NEAR(
       json("streamlines square.ply --from 0 --to 80 --seeds 0")["mean_length"].get<double>(),
@@ -677,7 +678,7 @@ TEST_F(Program, volume_computes_distances_and_paths)
   const nlohmann::json slice =
       json("volume o.off --from 0.2,0,0 --slice z,0.1 --slice x,2 --resolution 7 --values s.txt "
            "-o s.ply");
-  EXPECT_EQ(slice["points"], 98); // seven by seven, twice
+  EXPECT_EQ(slice["points"], 98); // 7 x 7 points, twice
   EXPECT_LE(slice["gap"].get<double>(), 0.02);
   EXPECT_GE(slice["max"].get<double>(), 2.);
   EXPECT_NE(read_file(m_folder / "s.ply").find("property double distance\n"), std::string::npos);
@@ -704,9 +705,10 @@ TEST_F(Program, feature_distance_matches_known_distances)
   const std::vector<double> distances = numbers("d.txt");
   ASSERT_EQ(distances.size(), 81u);
   EXPECT_EQ(distances[0], 0.);
-  EXPECT_LE(border["max"].get<double>(), 0.5 * (1. + 1e-9)); // rounding
-  EXPECT_NEAR(border["max"].get<double>(), 0.5, 0.5 / 16.);  // a part of a side at the crease
-  EXPECT_NEAR(border["value"].get<double>(), 1. / 6., 0.01); // the integral; likewise
+  EXPECT_LE(border["max"].get<double>(), 0.5 * (1. + 1e-9)); // round-off errors
+  EXPECT_NEAR(border["max"].get<double>(), 0.5,
+              0.5 / 16.); // a fraction of an edge length at the crease
+  EXPECT_NEAR(border["value"].get<double>(), 1. / 6., 0.01); // same error of the integral
   // The feature consists of all vertices except the boundary. A corner is as far as its nearest
   // interior vertex.
   EXPECT_NEAR(json("feature-distance d.ply --feature distance")["max"].get<double>(),
@@ -775,7 +777,7 @@ TEST_F(Program, atlas_is_injective)
     }
     EXPECT_GE(*std::min_element(uv.begin(), uv.end()), 0.);
     EXPECT_LE(*std::max_element(uv.begin(), uv.end()), 1.);
-    EXPECT_NEAR(area, found["coverage"], 1e-9); // rounding of sums
+    EXPECT_NEAR(area, found["coverage"], 1e-9); // round-off errors of sums
   }
 }
 
@@ -810,7 +812,7 @@ TEST_F(Program, wavelet_error_decreases_with_details_and_bits)
   EXPECT_EQ(all["levels"], 4);
   EXPECT_EQ(all["base_vertices"], 12);
   EXPECT_EQ(all["kept"], 2550);
-  EXPECT_LT(all["rms"].get<double>(), 1e-12); // all details: the same mesh
+  EXPECT_LT(all["rms"].get<double>(), 1e-12); // with all details: the same mesh
   double last = all["rms"];
   for(const std::string percent : {"50", "10", "1", "0"})
   {
@@ -828,7 +830,7 @@ TEST_F(Program, wavelet_error_decreases_with_details_and_bits)
     EXPECT_LE(some["bits_per_vertex"].get<double>(), std::stod(bits));
     EXPECT_LT(some["rms"].get<double>(), last);
     EXPECT_EQ(json("info some.gpw")["vertices"], 2562);
-    EXPECT_EQ(json("wavelet some.gpw")["levels"], 4); // again
+    EXPECT_EQ(json("wavelet some.gpw")["levels"], 4); // a second time
     last = some["rms"];
   }
   EXPECT_LT(last, 1e-3);
@@ -955,7 +957,7 @@ TEST_F(Program, info_reports_topology_and_area)
   EXPECT_EQ(square["components"], 1);
   EXPECT_EQ(square["manifold"], true);
   EXPECT_EQ(square["repaired"], false);
-  EXPECT_NEAR(square["area"].get<double>(), 1., 1e-14); // 128 roundings
+  EXPECT_NEAR(square["area"].get<double>(), 1., 1e-14); // 128 round-off errors
   EXPECT_NEAR(square["min_angle"].get<double>(), 45., 1e-12);
   EXPECT_NEAR(square["max_angle"].get<double>(), 90., 1e-12);
   EXPECT_EQ(square["bounding_box"], nlohmann::json::parse("[[0,0,0],[1,1,0]]"));
@@ -1001,7 +1003,8 @@ TEST_F(Program, sample_reports_covering_radius)
   const nlohmann::json spaced = json("sample square.ply --spacing 0.3");
   EXPECT_LE(spaced["covering_radius"].get<double>(), 0.3);
   EXPECT_GT(spaced["samples"], 4);
-  EXPECT_EQ(json("sample apart.off --number 1")["covering_radius"], nullptr); // a part has none
+  EXPECT_EQ(json("sample apart.off --number 1")["covering_radius"],
+            nullptr); // one component has no sample
 
   EXPECT_EQ(json("sample cloud.xyz --number 5 --values s.txt -o s.ply")["samples"], 5);
   EXPECT_EQ(numbers("s.txt").size(), 5u); // surfels
@@ -1022,8 +1025,9 @@ TEST_F(Program, remesh_preserves_a_square)
       EXPECT_EQ(remeshed["faces"], result["faces_out"]);
       EXPECT_EQ(remeshed["boundary_loops"], 1);
       EXPECT_EQ(remeshed["genus"], 0);
-      EXPECT_NEAR(remeshed["area"].get<double>(), 1., 1e-9); // with its corners
-      EXPECT_EQ(numbers("r.txt").size(), 6 * vertices); // three vertices of a face, three shares
+      EXPECT_NEAR(remeshed["area"].get<double>(), 1., 1e-9); // corners are preserved
+      EXPECT_EQ(numbers("r.txt").size(),
+                6 * vertices); // three vertices of a face and three weights
     }
   // A closed surface has at least four vertices. Components without faces are omitted.
   EXPECT_GE(json("remesh closed.off --number 0")["vertices_out"], 4);
@@ -1054,7 +1058,7 @@ TEST_F(Program, remesh_adds_vertices_for_maximum_deviation)
   EXPECT_LT(few, more);
   EXPECT_LT(more, many);
   EXPECT_EQ(added("--maximum-deviation inf"), few);
-  EXPECT_EQ(added("--maximum-deviation 11"), few); // its height is 10
+  EXPECT_EQ(added("--maximum-deviation 11"), few); // the height of the tent is 10
 }
 
 TEST_F(Program, remesh_fit_reduces_area_error)
@@ -1094,12 +1098,12 @@ TEST_F(Program, remesh_fills_holes)
         std::string("remesh box.off --number 60 --keep-sharp 60 -o r.ply --values r.txt") + option);
     EXPECT_EQ(result.value("holes_filled", 0), filled);
     EXPECT_EQ(result.value("holes_left", 0), 0);
-    EXPECT_EQ(result["vertices"], 8); // of the file
+    EXPECT_EQ(result["vertices"], 8); // number of vertices in the file
     EXPECT_EQ(result["faces"], 9);
     const nlohmann::json shape = json("info r.ply");
     EXPECT_EQ(shape["boundary_loops"], 2 - filled);
     EXPECT_EQ(shape["genus"], 0);
-    EXPECT_NEAR(shape["area"].get<double>(), area, 1e-9); // with its edges
+    EXPECT_NEAR(shape["area"].get<double>(), area, 1e-9); // edges are preserved
     // Locations refer to vertices of the file. Their faces may be new.
     const std::vector<double> locations = numbers("r.txt");
     ASSERT_EQ(locations.size(), 6 * shape["vertices"].get<std::size_t>());
@@ -1303,7 +1307,7 @@ TEST_F(Program, speed_depends_on_colors_and_images)
   }
 
   const Run_result refused = run("sample square.ply --number 9 --density-image nowhere.png");
-  if(refused.code == 1) // built without these methods
+  if(refused.code == 1) // built without libpng
   {
     EXPECT_PRED_FORMAT2(testing::IsSubstring, "libpng", refused.err);
     return;

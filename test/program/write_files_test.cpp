@@ -28,7 +28,7 @@ Surface_file triangle_strip()
   return surface;
 }
 
-// A fresh folder that is gone at the end.
+// Provides a new folder that is removed by the destructor.
 struct Folder
 {
   fs::path path =
@@ -103,7 +103,7 @@ TEST(Write_files, ply_writes_colors_as_bytes)
   const Folder folder;
   Surface_file surface = triangle_strip();
   surface.properties["red"] = {0., 17., 255., 3.};
-  surface.properties["green"] = {0., 0.5, 1., 0.}; // no bytes
+  surface.properties["green"] = {0., 0.5, 1., 0.}; // not byte values
   surface.polylines = {{{0., 0., 0.}, {1., 0., 0.}}};
   program::write_surface_file(folder / "a.ply", surface);
   const std::string bytes = program::to_ply(surface);
@@ -112,7 +112,7 @@ TEST(Write_files, ply_writes_colors_as_bytes)
   Surface_file again = program::read_surface_file(folder / "a.ply");
   for(auto& [name, values] : again.properties)
   {
-    EXPECT_EQ(values.size(), 6u); // those of the line too
+    EXPECT_EQ(values.size(), 6u); // including the values of the polyline
     values.resize(4);
   }
   EXPECT_EQ(again.properties, surface.properties);
@@ -130,7 +130,7 @@ TEST(Write_files, obj_writes_colors_without_texture)
   Surface_file again = program::read_surface_file(folder / "a.obj");
   for(auto& [name, values] : again.properties)
   {
-    EXPECT_EQ(values.size(), 6u); // those of the line too
+    EXPECT_EQ(values.size(), 6u); // including the values of the polyline
     values.resize(4);
   }
   EXPECT_EQ(again.properties, surface.properties);
@@ -200,7 +200,7 @@ TEST(Write_files, write_is_atomic)
   if(fs::exists("/dev/full"))
   {
     EXPECT_THROW(program::write_file("/dev/full", "x"), program::Output_error);
-    EXPECT_TRUE(fs::is_character_file("/dev/full")); // not replaced
+    EXPECT_TRUE(fs::is_character_file("/dev/full")); // the device was not replaced
   }
   EXPECT_EQ(folder.files(), 1u);
 }
@@ -234,7 +234,7 @@ TEST(Colors, map_range_and_gray_out_infinite)
 
 TEST(Colors, labels_have_distinct_colors)
 {
-  // Sixty seeds is what the tour draws; two shades of 255 apart is what a screen can show.
+  // The tour draws sixty seeds. A screen can show colors that differ by two of 255 levels.
   for(long long i = 0; i < 60; ++i)
     for(long long j = 0; j < i; ++j)
     {

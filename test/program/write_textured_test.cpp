@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using program::Surface_file;
 
-// Two triangles of a square, bent along the diagonal, with a seam there.
+// Returns two triangles of a square that is folded along the diagonal, with a UV seam there.
 Surface_file bent_square()
 {
   Surface_file surface;
@@ -74,10 +74,10 @@ TEST(Write_textured, glb_buffer_matches_json)
     std::memcpy(&result, bytes.data() + buffer + view["byteOffset"].get<std::size_t>() + 4 * at, 4);
     return result;
   };
-  EXPECT_EQ(json["accessors"][0]["count"], 6); // the seam has its vertices twice
+  EXPECT_EQ(json["accessors"][0]["count"], 6); // vertices on the seam are duplicated
   EXPECT_EQ(attribute_value("POSITION", 5), 0.5f);
   EXPECT_EQ(attribute_value("TEXCOORD_0", 4), 0.4f);
-  EXPECT_EQ(attribute_value("TEXCOORD_0", 5), 0.6f); // from above
+  EXPECT_EQ(attribute_value("TEXCOORD_0", 5), 0.6f); // the v coordinate is measured from the top
   const auto& image = json["bufferViews"][json["images"][0]["bufferView"].get<int>()];
   EXPECT_EQ(bytes.substr(buffer + image["byteOffset"].get<std::size_t>(), 3), "PNG");
   EXPECT_EQ(json["accessors"][0]["max"], nlohmann::json({1., 1., 0.5}));
@@ -116,7 +116,7 @@ TEST(Write_textured, assimp_reads_output)
       EXPECT_FLOAT_EQ(mesh.mTextureCoords[0][i].x, float(surface.corner_uv[corner][0])) << name;
       EXPECT_FLOAT_EQ(mesh.mTextureCoords[0][i].y, float(surface.corner_uv[corner][1])) << name;
     }
-    // Its texture is a PNG file, inside or beside it.
+    // The texture is a PNG file, embedded or in the same folder.
     aiString path;
     ASSERT_EQ(scene->mMaterials[mesh.mMaterialIndex]->GetTexture(aiTextureType_DIFFUSE, 0, &path),
               aiReturn_SUCCESS)
