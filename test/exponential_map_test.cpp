@@ -18,8 +18,8 @@ using Vector_3 = Kernel::Vector_3;
 
 TEST(exponential_map, inverts_logarithmic_map)
 {
-  // The part of the vertices to which exponentials of logarithms lead.  Rounding grows with the number of
-  // faces on the way.
+  // Returns the fraction of vertices that the exponential of their logarithm recovers. Round-off
+  // errors grow with the number of faces on the path.
   const auto fraction_recovered = [](const Mesh& mesh, Vertex base, double radius)
   {
     std::size_t number = 0;
@@ -38,7 +38,8 @@ TEST(exponential_map, inverts_logarithmic_map)
   EXPECT_EQ(fraction_recovered(mesh_of(square(20, 0.25)), Vertex(220), 0.7), 1.);
   if(Mesh mesh; read_model("meshes/elephant_2k8.off", mesh))
   {
-    // Where a shortest path bends at a saddle vertex, the straightest one leaves it: to one in eighty.
+    // If a shortest path bends at a saddle vertex, the straightest path leaves it. This affects
+    // one vertex in eighty.
     EXPECT_GT(fraction_recovered(mesh, Vertex(100), 0.1), 0.95);
   }
 }

@@ -48,7 +48,7 @@ TEST(Farthest_point_sampling, second_sample_on_sphere_is_antipodal)
   const Mesh mesh = mesh_of(icosphere(4));
   const Samples samples = sampled(mesh, 2);
   ASSERT_EQ(samples.size(), 2u);
-  // The longest side of this icosphere.
+  // The longest edge of this icosphere.
   EXPECT_LT(distance(point_of(mesh, samples[0]), -1. * point_of(mesh, samples[1])), 0.0812);
 }
 
@@ -65,7 +65,7 @@ TEST(Farthest_point_sampling, samples_cover_and_are_separated)
   ASSERT_EQ(sampled_vertices.size(), 60u);
   ASSERT_EQ(radii.size(), 60u);
   EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
-  // Where cells meet a distance may be too long by some thousandths of a side.
+  // On cell boundaries, a distance may be too long by some thousandths of an edge length.
   const double error = 0.01 / 30.;
   const auto vertex_distance = [&](Vertex a, Vertex b)
   { return std::sqrt(CGAL::squared_distance(mesh.point(a), mesh.point(b))); };
@@ -93,8 +93,8 @@ TEST(Farthest_point_sampling, stops_at_covering_radius)
       GP::parameters::covering_radius(0.15).covering_radius_output(std::back_inserter(radii)));
   EXPECT_LE(radii.back(), 0.15);
   EXPECT_GT(radii[radii.size() - 2], 0.15);
-  // Discs of half the radius do not overlap, those of the radius cover: between 1 / (pi r^2) and the
-  // number of discs of radius r / 2 in the square widened by as much.
+  // Disks of radius r / 2 do not overlap, and disks of radius r cover the square. This bounds
+  // their number by 1 / (pi r^2) and by the area of the square enlarged by r / 2 on each side.
   EXPECT_GT(samples.size(), 1. / (pi * 0.15 * 0.15));
   EXPECT_LT(samples.size(), 1.15 * 1.15 / (pi * 0.075 * 0.075));
 }
@@ -114,7 +114,7 @@ TEST(Farthest_point_sampling, continues_from_first_samples)
   EXPECT_EQ(get(label, Vertex(20)), 1u);
   EXPECT_EQ(get(label, Vertex(440)), 3u);
 
-  // In two goes or in one.
+  // Samples in two calls or in one.
   Samples two = sampled(mesh, 5);
   const Samples one = sampled(mesh, 12);
   GP::farthest_point_sampling(mesh, 7, std::back_inserter(two),
@@ -135,7 +135,7 @@ TEST(Farthest_point_sampling, density_follows_speed)
   const auto left =
       std::count_if(samples.begin(), samples.end(),
                     [&](const auto& sample) { return point_of(mesh, sample)[0] < 0.5; });
-  // 25 parts of 26, and what the borders take: within a tenth.
+  // 25/26 of the samples, minus the effect of the boundary. Accurate to 10 %.
   EXPECT_NEAR(double(left), 100., 10.);
 }
 
@@ -173,7 +173,8 @@ TEST(Farthest_point_sampling, is_scale_invariant)
     GP::farthest_vertex_sampling(
         large, 30, std::back_inserter(sampled_vertices),
         GP::parameters::covering_radius_output(std::back_inserter(large_radii)));
-    // Rounding may choose another of two sites that are as far; radii differ by no more than it.
+    // Round-off errors may select the other of two equally distant vertices. Radii differ by at
+    // most the round-off error.
     for(std::size_t i = 0; i < 30; ++i)
       EXPECT_NEAR(large_radii[i], scale * radii[i], 1e-9 * scale);
   }
@@ -223,10 +224,10 @@ TEST(Farthest_point_sampling, samples_surfels_of_a_cloud)
     EXPECT_EQ(samples[i].offset, (std::array<double, 2>{0., 0.}));
     return to_array(surfels[samples[i].surfel].first);
   };
-  // Within a side of the icosphere.
+  // Accurate to an edge length of the icosphere.
   EXPECT_LT(distance(point(0), -1. * point(1)), 0.0812);
   EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
-  // A front on a cloud is wrong by a percent or two here, most where cells meet.
+  // A front on this cloud errs by one or two percent, most on cell boundaries.
   for(std::size_t i = 1; i < 50; ++i)
     for(std::size_t j = 0; j < i; ++j)
       EXPECT_GE(great_circle(point(i), point(j)), 0.97 * radii[i - 1]);
@@ -259,7 +260,7 @@ TEST(Farthest_point_sampling, skips_surfels_without_neighbors)
   };
   const std::vector<std::size_t> without = sampled();
   surfels.push_back({{0.5, 0.5, 3.}, {0., 0., 1.}});
-  // At one place: neighbors.
+  // Two surfels at the same position are neighbors.
   surfels.push_back({{9., 9., 0.}, {0., 0., 1.}});
   surfels.push_back(surfels.back());
   const std::vector<std::size_t> with = sampled();
@@ -297,7 +298,7 @@ TEST(Farthest_point_sampling, cloud_sampling_uses_seed_first_samples_and_speed)
                                          .covering_radius_output(std::back_inserter(radii)));
   EXPECT_EQ(std::count(sampled_vertices.begin(), sampled_vertices.end(), first_sample), 0);
   EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
-  // 25 parts of 26, and what the borders take: within a tenth.
+  // 25/26 of the samples, minus the effect of the boundary. Accurate to 10 %.
   const auto left = std::count_if(sampled_vertices.begin(), sampled_vertices.end(),
                                   [&](std::size_t i) { return x(i) < 0.5; });
   EXPECT_NEAR(double(left), 96., 10.);

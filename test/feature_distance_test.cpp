@@ -22,8 +22,8 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-// Never above the exact distance, and in the mean below by no more than a hundredth of the largest one and
-// what points lose: a part of the edges around them.
+// Checks that the result never exceeds the exact distance. Its mean error is at most 1 % of the
+// largest distance. Point features add an error of a fraction of the incident edge lengths.
 template <typename Feature>
 void expect_lower_bound_of_exact(Mesh& mesh, const Feature& feature,
                                  double tolerance_at_points = 0.)
@@ -35,7 +35,7 @@ void expect_lower_bound_of_exact(Mesh& mesh, const Feature& feature,
   double largest = 0., mean_difference = 0.;
   for(const Vertex v : vertices(mesh))
   {
-    EXPECT_LE(found[v], exact[v] * (1. + 1e-9)); // rounding
+    EXPECT_LE(found[v], exact[v] * (1. + 1e-9)); // round-off errors
     EXPECT_GE(found[v], 0.);
     largest = std::max(largest, exact[v]);
     mean_difference += (exact[v] - found[v]) / double(num_vertices(mesh));
@@ -50,14 +50,15 @@ TEST(Feature_distance, is_accurate_for_curves_and_boundary)
   GP::border_sources(plane, std::back_inserter(boundary_sources));
   expect_lower_bound_of_exact(plane, boundary_sources);
 
-  Mesh ring = mesh_of(torus(60, 30)); // of rings of 30 vertices
+  Mesh ring = mesh_of(torus(60, 30)); // rings of 30 vertices
   std::vector<Vertex> curve;
   for(Mesh::size_type i = 0; i < 30; ++i)
     curve.push_back(Vertex(i));
   expect_lower_bound_of_exact(ring, curve);
 }
 
-// On an interval with features at 0 and 0.3: fixed masses there would make it wrong by 0.3.
+// An interval with features at 0 and 0.3. If the masses at the features were fixed, the error
+// would be 0.3.
 TEST(Feature_distance, is_zero_on_every_feature)
 {
   Mesh mesh = mesh_of(square(20));
@@ -71,13 +72,13 @@ TEST(Feature_distance, is_zero_on_every_feature)
   {
     const double x = mesh.point(v).x();
     EXPECT_NEAR(found[v], std::min(x, std::abs(x - 0.3)),
-                2e-3); // of a mean of 0.19, the gap's room
+                2e-3); // the duality gap allows this error; the mean distance is 0.19
   }
 }
 
 using Location = GP::Source<Mesh>::Location;
 
-// Where a function that is linear in each face is zero: a source for each face.
+// Returns the zero set of a function that is linear in each face, as one source per face.
 template <typename Function>
 std::vector<GP::Source<Mesh>> zero_set(const Mesh& mesh, const Function& function)
 {
@@ -104,7 +105,7 @@ std::vector<GP::Source<Mesh>> zero_set(const Mesh& mesh, const Function& functio
   return result;
 }
 
-// In the plane, through faces at any angle: the distance is linear on both sides.
+// In the plane, for faces of any orientation: the distance is linear on both sides of the line.
 TEST(Feature_distance, is_exact_for_straight_lines)
 {
   for(const double scale : {1., 1e-6, 1e6})
@@ -130,14 +131,14 @@ TEST(Feature_distance, is_accurate_for_locations_and_paths_in_faces)
   const Location inside(Face(100), {0.2, 0.5, 0.3}), other(Face(300), {0.6, 0.1, 0.3});
   for(Mesh* mesh : {&plane, &ball})
   {
-    const double tolerance_at_points = mesh == &plane ? 0.02 : 0.04; // a third of an edge
+    const double tolerance_at_points = mesh == &plane ? 0.02 : 0.04; // a third of an edge length
     expect_lower_bound_of_exact(*mesh, inside, tolerance_at_points);
     expect_lower_bound_of_exact(*mesh,
                                 std::vector<Location>{inside, other, {Face(100), {0.7, 0.1, 0.2}}},
                                 tolerance_at_points);
     const auto path = GP::Geodesic_path_finder<Mesh>(*mesh)(inside, other);
     expect_lower_bound_of_exact(*mesh, GP::Source<Mesh>(path.locations), tolerance_at_points);
-    // Beside vertices.
+    // Locations close to vertices.
     expect_lower_bound_of_exact(*mesh,
                                 std::vector<GP::Source<Mesh>>{GP::Source<Mesh>(path.locations),
                                                               GP::Source<Mesh>(Vertex(11))},
@@ -157,11 +158,11 @@ TEST(Feature_distance, is_accurate_for_circle_of_latitude)
   {
     const double exact = std::abs(std::asin(mesh.point(v).z()) - std::asin(height));
     EXPECT_NEAR(found[v], exact,
-                0.01 * (1. + exact)); // a fifth of an edge, most of it at the poles
+                0.01 * (1. + exact)); // a fifth of an edge length, reached near the poles
   }
 }
 
-// A speed is one of the parts of faces as well.
+// Faces that the feature crosses are split. Their pieces inherit the speed of the face.
 TEST(Feature_distance, accepts_speeds)
 {
   Mesh mesh = mesh_of(square(12, 0.24));
@@ -191,9 +192,9 @@ TEST(Feature_distance, accepts_point_sets)
                                                  cloud.point(*cloud.begin()), cloud.point(i)))) -
                         found[i]) /
                        double(cloud.size());
-  // A part of a side, 0.06, around the point.
+  // A fraction of the edge length 0.06 around the point.
   EXPECT_LT(std::abs(mean_difference), 0.03);
-  // A place beside a surfel is in no triangle of its own.
+  // A location next to a surfel lies in no triangle.
   const GP::Surfel_location<decltype(cloud)::Index> next_to_surfel{*cloud.begin(), {0.01, 0.}};
   EXPECT_THROW(GP::feature_distance(cloud, next_to_surfel, found), GP::Invalid_argument_error);
 }
@@ -204,13 +205,13 @@ TEST(Feature_distance, is_infinite_if_unreachable)
   const Vertex isolated = mesh.add_vertex(Kernel::Point_3(0., 0., 9.));
   auto found = vertex_map(mesh);
   EXPECT_TRUE(GP::feature_distance(mesh, Vertex(0), found).converged);
-  EXPECT_NEAR(found[Vertex(4)], 1., 0.05); // a part of a side
+  EXPECT_NEAR(found[Vertex(4)], 1., 0.05); // a fraction of an edge length
   EXPECT_EQ(found[Vertex(30)], infinity);
   EXPECT_EQ(found[isolated], infinity);
   GP::feature_distance(mesh, std::vector<Vertex>{Vertex(0), Vertex(25), isolated}, found);
   EXPECT_NEAR(found[Vertex(29)], 1., 0.05);
   EXPECT_EQ(found[isolated], 0.);
-  // Behind a wall.
+  // Vertices behind a wall of speed zero.
   Mesh plane = mesh_of(square(4));
   const auto speed = plane.add_property_map<Vertex, double>("speed", 1.).first;
   for(Mesh::size_type row = 0; row < 5; ++row)

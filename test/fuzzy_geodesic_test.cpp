@@ -17,7 +17,8 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-// In the plane a blob moves as a whole: midway as much flows as the blob is wide there.
+// In the plane, a Gaussian density moves as a whole. Halfway, the flow has the profile of the
+// density.
 TEST(fuzzy_geodesic, width_matches_gaussian_densities)
 {
   Mesh mesh = mesh_of(square(60));
@@ -26,7 +27,7 @@ TEST(fuzzy_geodesic, width_matches_gaussian_densities)
   const double width = 0.07;
   const GP::Earth_movers_cost cost = GP::fuzzy_geodesic(mesh, vertex_at(15, 30), vertex_at(45, 30),
                                                         likelihood, GP::parameters::width(width));
-  EXPECT_NEAR(cost.value, 0.5, 0.001); // the gap; fronts are exact in the plane
+  EXPECT_NEAR(cost.value, 0.5, 0.001); // duality gap; fronts are exact in the plane
   double largest = 0.;
   for(const Vertex v : mesh.vertices())
   {
@@ -37,14 +38,14 @@ TEST(fuzzy_geodesic, width_matches_gaussian_densities)
   for(unsigned j = 20; j <= 40; ++j)
   {
     const double y = (double(j) - 30.) / 60. / width;
-    // Of flows that cost up to 0.1 % more than the best.
+    // The cost of the flow exceeds the optimum by at most 0.1 %.
     EXPECT_NEAR(likelihood[vertex_at(30, j)], std::exp(-0.5 * y * y), 0.05);
   }
   EXPECT_LT(likelihood[vertex_at(30, 2)], 0.01);
   EXPECT_LT(likelihood[vertex_at(2, 30)], 0.05);
 }
 
-// Where two ways are equally short, both are likely; where one is shorter, that alone.
+// If two paths have equal lengths, both are likely. If one is shorter, only that one is likely.
 TEST(fuzzy_geodesic, distinguishes_paths_around_hole)
 {
   Mesh mesh = mesh_of(cylinder(48, 20, 1., 2.));
@@ -75,7 +76,7 @@ TEST(fuzzy_geodesic, by_distances_measures_detour)
   { return std::sqrt(CGAL::squared_distance(mesh.point(a), mesh.point(b))); };
   for(const Vertex v : mesh.vertices())
     EXPECT_NEAR(likelihood[v], std::exp(-(length(p, v) + length(v, q) - length(p, q)) / 0.1),
-                1e-9); // rounding
+                1e-9); // round-off errors
 }
 
 TEST(fuzzy_geodesic, accepts_point_sets)
@@ -105,9 +106,9 @@ TEST(fuzzy_geodesic, accepts_point_sets)
       }
     }
   };
-  const double width = 0.15; // two sides
+  const double width = 0.15; // two edge lengths
   GP::fuzzy_geodesic(cloud, p, q, likelihood, GP::parameters::width(width));
-  expect_ridge_along_geodesic(0.5); // within 0.1 of the way
+  expect_ridge_along_geodesic(0.5); // within 0.1 of the path
   GP::fuzzy_geodesic_by_distances(cloud, p, q, likelihood, GP::parameters::width(width));
   expect_ridge_along_geodesic(0.8);
 }

@@ -20,10 +20,10 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-// The unit square in 12 by 12 cells: vertex 13 * row + column.
+// Returns a vertex of the unit square with 12 by 12 cells. Its index is 13 * row + column.
 Vertex at(Mesh::size_type column, Mesh::size_type row) { return Vertex(13 * row + column); }
 
-// In the plane the centroid, wherever it is a vertex.
+// In the plane, the barycenter is the centroid if that is a vertex.
 TEST(Geodesic_barycenter, matches_centroid_in_plane)
 {
   const Mesh mesh = mesh_of(square(12));
@@ -37,7 +37,7 @@ TEST(Geodesic_barycenter, matches_centroid_in_plane)
   EXPECT_EQ(pulled.vertex, at(4, 4));
   EXPECT_NEAR(pulled.value, (3. * 32. + 2. * 80. + 128.) / 144., 1e-9);
   EXPECT_EQ(GP::geodesic_barycenter(mesh, std::vector<Vertex>{at(3, 4)}).vertex, at(3, 4));
-  // A location counts as well as a site, and one without weight not at all.
+  // A location counts as much as a vertex. A location of weight zero has no influence.
   const std::vector<std::pair<Face, std::array<double, 3>>> locations = {
       location_of(0, {1., 0., 0.}), location_of(100, {0.2, 0.3, 0.5})};
   const auto all =

@@ -26,7 +26,7 @@ using namespace GP::test;
 
 const std::size_t no_label = std::numeric_limits<std::size_t>::max();
 
-// The corners of the faces of each cell.
+// Returns the corners of the faces of each cell.
 std::map<std::size_t, std::vector<Index>> patches(const Triangulation& surface,
                                                   const std::vector<std::size_t>& label)
 {
@@ -106,7 +106,7 @@ TEST(Geodesic_centroidal_tessellation, is_scale_invariant)
       first = label;
       energy = energies.back();
     }
-    // Powers of two change no digit.
+    // Scaling by powers of two is exact.
     EXPECT_EQ(label, first);
     EXPECT_EQ(energies.back(), std::pow(scale, 4) * energy);
   }
@@ -129,12 +129,14 @@ TEST(Geodesic_centroidal_tessellation, faces_belong_to_nearest_center)
     std::vector<double> distances;
     for(const auto& center : centers)
       distances.push_back(distance(p, point_of(mesh, center)));
-    // The longest side of this icosphere: faces go with their corners.
+    // The tolerance is the longest edge of this icosphere, because faces are assigned with their
+    // corners.
     EXPECT_LT(distances[get(label, f)],
               *std::min_element(distances.begin(), distances.end()) + 0.0812);
     area[get(label, f)] += 1. / double(mesh.number_of_faces());
   }
-  // Of a dozen even cells; farthest points begin with parts that differ by a factor of two.
+  // Twelve cells of nearly equal area. The initial farthest point samples have cells whose areas
+  // differ by a factor of two.
   for(const double fraction : area)
     EXPECT_NEAR(fraction, 1. / 12., 0.25 / 12.);
 }
@@ -176,7 +178,7 @@ TEST(Geodesic_centroidal_tessellation, respects_method_speed_and_iteration_limit
   const auto slow =
       std::count_if(centers.begin(), centers.end(),
                     [&](const auto& center) { return point_of(mesh, center)[0] > 0.5; });
-  // Sixteen on the right for one on the left in the limit of small cells.
+  // In the limit of small cells, the right half has sixteen cells per cell on the left.
   EXPECT_GT(slow, 24);
 
   std::vector<double> energies;
@@ -185,7 +187,8 @@ TEST(Geodesic_centroidal_tessellation, respects_method_speed_and_iteration_limit
       GP::parameters::maximum_number_of_iterations(2u).energy_output(std::back_inserter(energies)));
   EXPECT_EQ(energies.size(), 3u);
   EXPECT_THROW(GP::geodesic_centroidal_tessellation(mesh, 0, label), GP::Invalid_argument_error);
-  // More than there are vertices: as many as are apart.
+  // If more cells are requested than there are vertices, the result has at most one cell per
+  // vertex.
   Mesh small = mesh_of(tetrahedron());
   const auto small_label = small.add_property_map<Face, std::size_t>("f:label").first;
   const std::size_t cells = GP::geodesic_centroidal_tessellation(small, 100, small_label);
@@ -195,7 +198,7 @@ TEST(Geodesic_centroidal_tessellation, respects_method_speed_and_iteration_limit
 
 TEST(Geodesic_centroidal_tessellation, patches_are_disks_on_real_models)
 {
-  // One component each; the rotor has tubes, the shark's borders are holes.
+  // Each model is connected. The rotor has handles, and the shark's boundary cycles are holes.
   for(const char* const name : {"fandisk_6k5", "rotor_2k4", "mech_holes_shark_5k", "elephant_2k8"})
   {
     const std::string file = model(std::string("meshes/") + name + ".off");

@@ -51,7 +51,7 @@ TEST(Geodesic_distance_matrix, has_one_column_per_target)
   std::vector<GP::Location<Mesh>> locations;
   for(int i = 0; i < 9; ++i)
     locations.push_back(random_location_of(mesh, random));
-  // Locations from vertices, with a limit; one source of its own kind to all vertices.
+  // From locations to vertices with a limit, and from one source of another kind to all vertices.
   const auto from = some_vertices(mesh, 40);
   const Eigen::MatrixXd d = GP::geodesic_distance_matrix<GP::Exact>(
       mesh, from, GP::parameters::targets(locations).maximum_distance(0.6));
@@ -82,7 +82,7 @@ void expect_independent_of_threads(const Domain& domain, const Queries& queries)
   EXPECT_EQ(alone,
             (GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, queries, three)));
 
-  // One solver after the other knows nothing of the matrix.
+  // Compares with separate queries that do not know the matrix.
   GP::Geodesic_distance_solver<typename Domain::Surface, Method> solver(domain);
   Eigen::Index row = 0;
   for(const auto& from : queries)
@@ -90,8 +90,8 @@ void expect_independent_of_threads(const Domain& domain, const Queries& queries)
     Eigen::Index column = 0;
     solver.compute(from);
     for(const auto& to : queries)
-      // A front that stops at its targets has not seen what comes later and might be nearer by
-      // what it counts as rounding.
+      // A front that stops at its targets does not process later updates. These may shorten a
+      // distance by at most its round-off tolerance.
       EXPECT_NEAR(alone(row, column++), solver.distance(to), 1e-9);
     ++row;
   }

@@ -19,7 +19,7 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using Mesh_source = GP::Source<Mesh>;
 
-// What the front may leave of a distance, see the tests of the front itself.
+// Largest improvement that the front may ignore; see the tests of the front.
 constexpr double front_tolerance = 1e-7;
 
 template <typename Sources>
@@ -66,7 +66,7 @@ TEST(Geodesic_distances, accept_all_kinds_of_sources)
            [&](Index i) { return 0.25 + to_p(i); });
   }
   const std::vector<Vertex> corners = {Vertex(0), Vertex(440)};
-  // Where the two meet in a triangle each may have to go along a side, of 1/20.
+  // In a triangle where both fronts meet, each may have to follow an edge of length 1/20.
   EXPECT_LT(largest_error(distances_from(mesh, corners),
                           [&](Index i) { return std::min(to(0)(i), to(440)(i)); }),
             0.5 / 20.);
@@ -85,8 +85,8 @@ TEST(Geodesic_distances, accept_boundary_cycles_as_sources)
     const Point& p = plane.points[i];
     return std::min({p[0], p[1], 1. - p[0], 1. - p[1]});
   };
-  // At the creases along the diagonals, and where a corner of the border is all that a triangle
-  // has of it: part of a side of 1/20.
+  // At the creases along the diagonals, and in triangles that touch the boundary at one corner
+  // only. The error is a fraction of the edge length 1/20.
   EXPECT_LT(largest_error(d, expected), 0.2 / 20.);
 }
 
@@ -107,7 +107,7 @@ TEST(Geodesic_distances, write_source_labels_and_predecessors)
     const double to_7 =
                      std::min(distance(p, plane.points[0]), 0.125 + distance(p, plane.points[440])),
                  to_1 = distance(p, plane.points[20]);
-    // Nearer ties may go either way.
+    // Near the bisector, either source may be chosen.
     if(std::abs(to_7 - to_1) > 0.05)
     {
       EXPECT_EQ(label[v], to_7 < to_1 ? 7u : 1u);
@@ -159,7 +159,8 @@ TEST(Geodesic_distances, accept_vertex_and_face_speeds)
     EXPECT_NEAR(scaled_distance[v], 2. * original[v], 1e-13); // the mean of three halves is rounded
   GP::geodesic_distances(mesh, Vertex(3), scaled_distance, GP::parameters::speed_map(face_speed));
   for(const Vertex v : mesh.vertices())
-    EXPECT_EQ(scaled_distance[v], 2. * original[v]); // with speeds, this front is that one
+    EXPECT_EQ(scaled_distance[v],
+              2. * original[v]); // if speeds are given, the default uses the same front
 }
 
 TEST(Geodesic_distances, do_not_cross_obstacles)
@@ -206,7 +207,7 @@ TEST(Geodesic_distances, accept_named_parameters_in_any_order)
       EXPECT_EQ(label[v], expected < 1. ? 0u : std::numeric_limits<std::size_t>::max());
     }
   }
-  // CGAL's own chain alone.
+  // A chain of CGAL's parameters only.
   GP::geodesic_distances(mesh, Vertex(0), map, CGAL::parameters::vertex_point_map(points));
   EXPECT_NEAR(map[Vertex(120)], 2. * std::sqrt(2.), front_tolerance);
 }
@@ -232,7 +233,7 @@ TEST(Geodesic_distances, agree_on_polyhedron)
   GP::geodesic_distances(polyhedron.mesh, polyhedron.vertices[9],
                          boost::make_assoc_property_map(distances));
   for(Index i = 0; i < d.size(); ++i)
-    EXPECT_NEAR(distances[polyhedron.vertices[i]], d[i], 1e-8); // faces begin elsewhere
+    EXPECT_NEAR(distances[polyhedron.vertices[i]], d[i], 1e-8); // faces begin at other corners
 }
 
 TEST(Geodesic_distances, throw_on_invalid_input)
@@ -286,7 +287,7 @@ TEST(Geodesic_distances, are_exact_on_flat_point_set)
     mean += std::abs(d[i] - expected) / double(cloud.size());
     mean_of_dijkstra += std::abs(a[i] - expected) / double(cloud.size());
   }
-  // In the inside all is exact; gaps at the border, of some radii 0.03, are gone around.
+  // Interior distances are exact. At the boundary, paths detour around gaps of some radii of 0.03.
   EXPECT_LT(mean, 1e-3);
   EXPECT_LT(mean, 0.2 * mean_of_dijkstra);
 }
@@ -302,7 +303,7 @@ TEST(Geodesic_distances, reach_duplicate_surfels_with_speeds)
                       .speed_map(CGAL::make_property_map(speed));
   const auto check = [&](auto method)
   {
-    // A copy as the source, and a place that has one.
+    // The source is a point that has a duplicate, and then the duplicate itself.
     for(const std::size_t source : {std::size_t(7), original.size() + 7})
     {
       GP::geodesic_distances<decltype(method)>(surfels, source, CGAL::make_property_map(map), np);
@@ -325,7 +326,7 @@ TEST(Geodesic_distances, are_accurate_on_spherical_point_set)
       cloud, std::size_t(100), CGAL::make_property_map(d),
       GP::parameters::normal_map(Surfel_normal_map()).point_map(Surfel_point_map()));
   const std::vector<Point> points = icosphere(4).points;
-  // Triangles between 2,562 surfels: the error of the mesh is 0.5 percent.
+  // Local triangles between 2,562 surfels have the error of the mesh, 0.5 %.
   EXPECT_LT(
       mean_relative_error(d, 0.1, [&](Index i) { return great_circle(points[i], points[100]); }),
       0.01);

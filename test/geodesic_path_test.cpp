@@ -16,11 +16,11 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using Path = GP::Surface_path<Mesh>;
 
-// Some tens of crossings of faces.
+// Some tens of face crossings.
 constexpr double round_off = 1e-12;
 
-// What has to hold of any path: on the surface, each location at its point, no point twice, of the
-// length that it says, not shorter than the straight line.
+// Checks that a path lies on the surface and that each location matches its point. No point
+// repeats, the length is correct and at least the Euclidean distance.
 void expect_path(const Mesh& mesh, const Path& path, const Point& from, const Point& to)
 {
   ASSERT_FALSE(path.empty());
@@ -56,8 +56,9 @@ TEST(Geodesic_path, is_straight_in_plane)
   {
     const auto from = random_location_of(mesh, random), to = random_location_of(mesh, random);
     const Point p = point_of(mesh, from), q = point_of(mesh, to);
-    expect_straight(GP::geodesic_path(domain, from, to), p, q, 1e-7); // the front's least gain
-    // First order: two sides of 1/15 at most.  Arcs: 41 percent.  Heat: some percent.
+    expect_straight(GP::geodesic_path(domain, from, to), p, q,
+                    1e-7); // smallest improvement that the front accepts
+    // First order: at most two edges of length 1/15. Dijkstra: 41 %. Heat: some percent.
     expect_straight(GP::geodesic_path<GP::Fast_marching>(domain, from, to), p, q, 2. / 15.);
     expect_straight(GP::geodesic_path<GP::Dijkstra>(domain, from, to), p, q, 0.5);
     expect_straight(GP::geodesic_path<GP::Heat>(domain, from, to), p, q, 2. / 15.);
@@ -96,7 +97,7 @@ TEST(Geodesic_path, accepts_all_kinds_of_locations)
   {
     const Path path = GP::geodesic_path(mesh, from, to);
     expect_path(mesh, path, p, q);
-    // On a mesh of this size the front errs by a percent, and paths go one way of several.
+    // On a mesh of this size the front errs by 1 %, and one of several equivalent paths is found.
     EXPECT_NEAR(path.length, path.front_distance, 0.02 * path.front_distance + 1e-3);
   };
   const Vertex vertex(17);
@@ -108,7 +109,7 @@ TEST(Geodesic_path, accepts_all_kinds_of_locations)
   expect(on_edge, at_vertex, q, r);
   expect(at_vertex, inside, r, p);
   expect(vertex, Vertex(400), v, to_array(mesh.point(Vertex(400))));
-  // In one face, and along one edge.
+  // Both ends in one face, and both ends on one edge.
   expect(inside, location_of(100, {0.5, 0.3, 0.2}), p,
          point_of(mesh, location_of(100, {0.5, 0.3, 0.2})));
   const Vertex next = mesh.target(mesh.halfedge(vertex)) == vertex
@@ -148,7 +149,8 @@ TEST(Geodesic_path, ends_at_nearest_source)
       second_distance = std::min(second_distance, std::max(d, min_distance));
       min_distance = std::min(min_distance, d);
     }
-    if(second_distance - min_distance < 2. / 15.) // near the cells' border it may be the other one
+    if(second_distance - min_distance <
+       2. / 15.) // near the cell boundary, either source may be chosen
       continue;
     expect_path(mesh, GP::geodesic_path(mesh, v, corners), p, to_array(mesh.point(nearest)));
   }
@@ -172,7 +174,8 @@ TEST(Geodesic_path, is_scale_invariant)
     const Mesh mesh = mesh_of(surface);
     const Path path = GP::geodesic_path(mesh, Vertex(0), Vertex(80));
     EXPECT_NEAR(path.length / scale, std::sqrt(2.), round_off);
-    EXPECT_NEAR(path.front_distance / scale, std::sqrt(2.), 1e-7); // the front's least gain
+    EXPECT_NEAR(path.front_distance / scale, std::sqrt(2.),
+                1e-7); // smallest improvement that the front accepts
   }
 }
 
@@ -186,7 +189,7 @@ TEST(Geodesic_path, accepts_named_parameters)
       GP::geodesic_path(mesh, Vertex(0), Vertex(8), GP::parameters::vertex_point_map(points))
           .length,
       3., round_off);
-  // What is out of reach is not looked for.
+  // Targets beyond the maximum distance yield an empty path.
   EXPECT_TRUE(
       GP::geodesic_path(mesh, Vertex(0), Vertex(8), GP::parameters::maximum_distance(0.5)).empty());
 }
@@ -223,7 +226,7 @@ TEST(Geodesic_path, joins_end_points_on_point_set)
     EXPECT_LT(CGAL::squared_distance(path.points.front(), cloud[i].first), 1e-26);
     EXPECT_LT(CGAL::squared_distance(path.points.back(), cloud[0].first), 1e-26);
     EXPECT_GE(path.length, chord - round_off);
-    EXPECT_LE(path.length, 1.01 * chord + 0.02); // a gap at the border may be in the way
+    EXPECT_LE(path.length, 1.01 * chord + 0.02); // a gap at the boundary may require a detour
     for(std::size_t k = 1; k < path.points.size(); ++k)
       EXPECT_NE(path.points[k], path.points[k - 1]);
   }

@@ -39,7 +39,7 @@ TEST(Geodesic_voronoi_diagram, bisector_of_two_square_corners_is_the_diagonal)
     EXPECT_TRUE(GP::geodesic_voronoi_diagram(
         mesh, std::vector<Vertex>{Vertex(0), Vertex(440)}, label,
         GP::parameters::face_label_map(face_label).bisector_output(std::back_inserter(bisectors))));
-    // The diagonal, up to rounding.
+    // The bisector is the diagonal up to round-off errors.
     ASSERT_EQ(bisectors.size(), 1u);
     EXPECT_EQ(bisectors[0].locations.size(), bisectors[0].points.size());
     for(std::size_t i = 0; i < bisectors[0].points.size(); ++i)
@@ -76,7 +76,7 @@ TEST(Geodesic_voronoi_diagram, respects_labels_and_maximum_distance)
   auto label = vertex_map<std::size_t>(mesh);
   const auto face_label = mesh.add_property_map<Face, std::size_t>("f:label").first;
   Bisectors bisectors;
-  // Two corners of one label and one of another.
+  // Two corners share a label, and a third one has another label.
   const std::vector<GP::Source<Mesh>> seeds = {
       {Vertex(0), 0., 7}, {Vertex(440), 0., 5}, {Vertex(20), 0., 7}};
   GP::geodesic_voronoi_diagram(mesh, seeds, label,
@@ -121,7 +121,8 @@ TEST(Geodesic_voronoi_diagram, accepts_polyhedron_and_samples)
   EXPECT_EQ(label.size(), 12u);
   EXPECT_TRUE(lines.empty());
 
-  // On a sphere three lines meet at each place, cells are discs: 3 (n - 2) lines.
+  // On a sphere, three bisectors meet at each Voronoi vertex and cells are disks: 3 (n - 2)
+  // bisectors.
   Mesh mesh = mesh_of(icosphere(4));
   const auto domain = GP::make_domain(mesh);
   std::vector<GP::Location<Mesh>> samples;
@@ -150,7 +151,7 @@ TEST(Geodesic_voronoi_diagram, labels_surfels_of_a_cloud)
     for(const std::size_t seed : seeds)
       min_distance = std::min(min_distance, to(seed));
     ASSERT_LT(label[i], 4u);
-    // A front over local triangles is off by a percent or two.
+    // A front over local triangles errs by one or two percent.
     EXPECT_NEAR(to(seeds[label[i]]), min_distance, 0.02);
   }
 }
@@ -167,9 +168,9 @@ TEST(Geodesic_voronoi_diagram, throws_on_invalid_arguments_and_can_be_cancelled)
       GP::parameters::callback(std::function<bool(double)>([](double) { return false; }))));
 }
 
-using Cells = std::map<std::size_t, double>; // their areas
+using Cells = std::map<std::size_t, double>; // areas of the cells by label
 
-// What the cells of a cut mesh have of it.
+// Returns the area of each cell of a cut mesh.
 template <typename CutMesh, typename LabelMap>
 Cells areas(const CutMesh& cut, const LabelMap& label)
 {
@@ -193,7 +194,7 @@ TEST(Geodesic_voronoi_cells, two_cells_are_halves_of_square)
     EXPECT_TRUE(CGAL::is_triangle_mesh(cut));
     const Cells found = areas(cut, label);
     ASSERT_EQ(found.size(), 2u);
-    // As exact as the diagonal is, see above.
+    // As exact as the diagonal in the bisector test above.
     EXPECT_NEAR(found.at(0) / scale / scale, 0.5, 1e-9);
     EXPECT_NEAR(found.at(1) / scale / scale, 0.5, 1e-9);
     for(const Face f : cut.faces())
@@ -222,12 +223,12 @@ TEST(Geodesic_voronoi_cells, preserve_area_and_topology)
   for(const auto& [cell, area] : found)
     sum += area;
   const double total_area = CGAL::Polygon_mesh_processing::area(mesh);
-  EXPECT_NEAR(sum, total_area, 1e-12 * total_area); // rounding
+  EXPECT_NEAR(sum, total_area, 1e-12 * total_area); // round-off errors
   const auto euler = [](const auto& m)
   { return long(num_vertices(m)) - long(num_edges(m)) + long(num_faces(m)); };
   EXPECT_EQ(euler(cut), euler(mesh));
 
-  // Where nothing reaches there is no cell, and no gap.
+  // If no front arrives, there is no cell and no gap.
   Mesh near;
   const auto near_label = near.add_property_map<Face, std::size_t>("f:label").first;
   GP::geodesic_voronoi_cells(GP::make_domain(mesh), seeds[0], near, near_label,
@@ -257,7 +258,7 @@ TEST(Geodesic_voronoi_cells, handle_pinched_mesh)
   EXPECT_TRUE(
       GP::geodesic_voronoi_cells(mesh, std::vector<Vertex>{Vertex(0), Vertex(48)}, cut, label));
   const Cells found = areas(cut, label);
-  EXPECT_NEAR(found.at(0) + found.at(1), 2., 1e-12); // rounding
+  EXPECT_NEAR(found.at(0) + found.at(1), 2., 1e-12); // round-off errors
 }
 
 } // namespace

@@ -14,7 +14,7 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using Vector_3 = Kernel::Vector_3;
 
-// Of some hundred sums.
+// Round-off errors of some hundred sums.
 constexpr double round_off = 1e-9;
 
 struct Decomposition
@@ -31,7 +31,7 @@ struct Decomposition
     rotation = add("f:rotation");
     harmonic = add("f:harmonic");
   }
-  Vector_3 normal(Face f) const // of twice the area
+  Vector_3 normal(Face f) const // length is twice the area
   {
     const auto h = mesh.halfedge(f);
     const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
@@ -59,13 +59,13 @@ struct Decomposition
   }
 };
 
-// The way up is a gradient, the way around the axis a rotation, on a sphere.
+// On a sphere, the upward field is a gradient and the field around the axis is a rotation.
 TEST(hodge_decomposition, separates_gradients_and_rotations)
 {
   Decomposition upward(icosphere(3)), rotating(icosphere(3));
   for(const Face f : upward.mesh.faces())
   {
-    upward.field[f] = Vector_3(0., 0., 1.); // the normal part is none of the field's
+    upward.field[f] = Vector_3(0., 0., 1.); // the normal component is not part of the field
     const auto c = upward.center(f);
     rotating.field[f] = Vector_3(-c.y(), c.x(), 0.);
   }
@@ -75,14 +75,15 @@ TEST(hodge_decomposition, separates_gradients_and_rotations)
   EXPECT_NEAR(upward.product(upward.gradient, upward.field),
               upward.product(upward.gradient, upward.gradient), round_off);
   EXPECT_NEAR(upward.size(upward.gradient), std::sqrt(8. * GP::internal::pi / 3.),
-              0.05); // flat triangles
+              0.05); // faces are flat
   rotating.decompose();
-  // The field in the middle of a triangle is that of a sphere to the square of a side, 0.16.
+  // The field at a face center differs from that of the sphere by O(h^2), with edge length
+  // h = 0.16.
   EXPECT_LT(rotating.size(rotating.gradient), 0.03 * rotating.size(rotating.field));
   EXPECT_LT(rotating.size(rotating.harmonic), round_off);
 }
 
-// Around a ring nothing begins or ends; in one that is open there are harmonic fields as well.
+// A field around a torus has no divergence. On an open ring there are harmonic fields as well.
 TEST(hodge_decomposition, finds_harmonic_fields)
 {
   for(const Triangulation& shape :
@@ -96,7 +97,7 @@ TEST(hodge_decomposition, finds_harmonic_fields)
       decomposition.field[f] = Vector_3(-c.y() / squared_radius, c.x() / squared_radius, 0.);
     }
     decomposition.decompose();
-    // Triangles of twentieths of a turn.
+    // Faces span a twentieth of a turn.
     EXPECT_GT(decomposition.size(decomposition.harmonic),
               0.99 * decomposition.size(decomposition.field));
     EXPECT_LT(std::abs(decomposition.product(decomposition.gradient, decomposition.harmonic)),

@@ -30,7 +30,7 @@ TEST(Locate_on_surface, mesh_locations_round_trip)
       const auto location = random_location_of(mesh, random);
       const Point p = point_of(mesh, location), q = point_of(mesh, locate(to_point(p)));
       for(int k = 0; k < 3; ++k)
-        EXPECT_NEAR(p[k] / scale, q[k] / scale, 1e-14); // roundings of coordinates near 1
+        EXPECT_NEAR(p[k] / scale, q[k] / scale, 1e-14); // round-off errors of coordinates near 1
     }
     for(const Vertex v : mesh.vertices())
     {

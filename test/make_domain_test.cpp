@@ -25,7 +25,7 @@ TEST(Make_domain, returns_domain_matching_surface_type)
       cloud, GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
   EXPECT_TRUE((std::is_same_v<decltype(of_mesh), const GP::Mesh_domain<Mesh>>));
   EXPECT_TRUE((std::is_same_v<decltype(of_cloud), const GP::Surfel_domain<Surfels>>));
-  // A domain is its own, and shares.
+  // The domain of a domain is a copy that shares its arrays.
   EXPECT_EQ(GP::make_domain(of_mesh).triangles(), of_mesh.triangles());
   EXPECT_EQ(GP::make_domain(of_cloud).triangles(), of_cloud.triangles());
 }
@@ -60,16 +60,16 @@ void expect_scaled(double power_tolerance)
 
 TEST(Make_domain, scaling_is_exact_for_powers_of_two)
 {
-  // Roundings of the coordinates; a solved system multiplies them by its condition.
+  // Round-off errors of the coordinates. A linear solve amplifies them by its condition number.
   expect_scaled<GP::Dijkstra>(1e-13);
   expect_scaled<GP::Fast_marching>(1e-13);
-  expect_scaled<GP::Euclidean_front>(1e-8); // see the front's least gain
+  expect_scaled<GP::Euclidean_front>(1e-8); // smallest improvement that the front accepts
   expect_scaled<GP::Heat>(1e-8);
 }
 
 TEST(Make_domain, distances_are_translation_invariant)
 {
-  // Coordinates that 1e8 does not round: multiples of 2^-20.
+  // Coordinates are multiples of 2^-20, so adding 1e8 does not round them.
   Triangulation surface = jittered(icosphere(3), 0.03);
   for(Point& p : surface.points)
     for(double& x : p)
@@ -80,7 +80,7 @@ TEST(Make_domain, distances_are_translation_invariant)
     p[0] += 1e8;
     p[1] -= 1e8;
   }
-  // The same lengths to rounding (the middle of the box may be another one).
+  // Lengths are equal up to round-off errors. The center of the bounding box may differ.
   const auto d = distances_on<GP::Euclidean_front>(surface, 7),
              e = distances_on<GP::Euclidean_front>(moved, 7);
   EXPECT_LT(largest_error(e, [&](Index i) { return d[i]; }), 1e-8);
@@ -114,13 +114,13 @@ TEST(Make_domain, is_independent_of_vertex_and_face_order)
 {
   expect_permuted<GP::Dijkstra>(1e-13);
   expect_permuted<GP::Fast_marching>(1e-13);
-  expect_permuted<GP::Euclidean_front>(1e-8); // see the front's least gain
-  expect_permuted<GP::Heat>(1e-8);            // the order of elimination
+  expect_permuted<GP::Euclidean_front>(1e-8); // smallest improvement that the front accepts
+  expect_permuted<GP::Heat>(1e-8);            // the elimination order differs
 }
 
 TEST(Make_domain, accepts_boundary_components_and_degenerate_faces)
 {
-  // A border, two components, an isolated vertex, a pinched vertex, triangles without area.
+  // Boundary, two components, an isolated vertex, a pinched vertex and faces of zero area.
   Triangulation surface = disjoint_union(square(6, 0.24), tetrahedron());
   surface.points.push_back({9., 9., 9.});
   const Index pinched_vertex = 0, n = Index(surface.points.size());
@@ -136,7 +136,7 @@ TEST(Make_domain, accepts_boundary_components_and_degenerate_faces)
   const auto expect = [&](int i, double d)
   {
     EXPECT_FALSE(std::isnan(d));
-    // The square with the pinched triangle is one component.
+    // The square and the pinched triangle form one component.
     const bool is_reached = i < 49 || i > 53;
     EXPECT_EQ(d < infinity, is_reached) << "vertex " << i;
   };

@@ -38,7 +38,7 @@ TEST(mean_value_coordinates, reproduce_point)
   }
 }
 
-// Four vertices leave no choice.
+// With four vertices, barycentric coordinates are unique.
 template <typename AnyMesh, typename Point>
 void expect_barycentric(const Point& point)
 {

@@ -54,11 +54,11 @@ TEST(minimize_distortion, result_has_no_flips)
       EXPECT_EQ(found->number_of_flips, 0u);
       EXPECT_TRUE(found->is_complete);
     }
-    // One minimum, to which each came within its last step's millionth.
+    // Both runs converge to the same minimum, up to the last step's relative decrease of 1e-6.
     EXPECT_NEAR(from_good.symmetric_dirichlet, from_bad.symmetric_dirichlet, 2e-5);
     const auto distortion = GP::flattening_distortion(mesh, good);
     EXPECT_EQ(distortion.number_of_flips, 0u);
-    // Both have the best scale to within what areas differ by.
+    // Both use the optimal scale up to differences of areas.
     EXPECT_NEAR(distortion.symmetric_dirichlet, from_good.symmetric_dirichlet, 0.01);
   }
 }
@@ -78,7 +78,7 @@ double minimum_of()
 TEST(minimize_distortion, is_independent_of_mesh_type)
 {
   const double expected = minimum_of<Mesh>();
-  // Each comes as near to the minimum as its last step's millionth.
+  // Each run stops when a step decreases the energy by less than 1e-6.
   EXPECT_NEAR(minimum_of<CGAL::Polyhedron_3<Kernel>>(), expected, 1e-5);
 #ifdef GEODESIC_PROCESSING_HAS_OPENMESH
   EXPECT_NEAR(minimum_of<OpenMesh::TriMesh_ArrayKernelT<>>(), expected, 1e-5);
@@ -98,8 +98,8 @@ TEST(minimize_distortion, throws_on_invalid_arguments)
 
 TEST(minimize_distortion, distortion_is_close_to_arap_on_real_patches)
 {
-  // The mean symmetric Dirichlet energies of CGAL's ARAP_parameterizer_3 with its defaults, called by
-  // test/benchmark/flattening.cpp, where it has no flips.
+  // Mean symmetric Dirichlet energies of CGAL's ARAP_parameterizer_3 with default parameters, on
+  // models without flips. They were measured by test/benchmark/flattening.cpp.
   const std::pair<std::string, double> patches[] = {{"hemisphere_2k.ply", 4.14203},
                                                     {"patch_01_735.off", 4.2544},
                                                     {"nefertiti_299.off", 4.03724},
@@ -115,7 +115,7 @@ TEST(minimize_distortion, distortion_is_close_to_arap_on_real_patches)
     GP::minimize_distortion(mesh, uv);
     const auto distortion = GP::flattening_distortion(mesh, uv);
     EXPECT_EQ(distortion.number_of_flips, 0u) << name;
-    EXPECT_LE(distortion.symmetric_dirichlet, 1.05 * arap) << name; // what was asked for
+    EXPECT_LE(distortion.symmetric_dirichlet, 1.05 * arap) << name; // the required bound
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace GP = CGAL::Geodesic_processing;
 
-// What a function reads of a chain of three: ours, one of CGAL's, ours.
+// Checks the values that a function reads from a chain of three: two of this package, one of CGAL.
 template <typename NamedParameters>
 void expect_values(const NamedParameters& np)
 {
@@ -30,7 +30,7 @@ TEST(Parameters, chain_with_cgal_parameters_in_any_order)
   expect_values(GP::parameters::maximum_distance(0.5).threads(3u).vertex_point_map(points));
   expect_values(GP::parameters::vertex_point_map(points).maximum_distance(0.5).threads(3u));
   expect_values(GP::parameters::threads(3u).vertex_point_map(points).maximum_distance(0.5));
-  // A chain that CGAL began goes on with ours once it is one of ours.
+  // A chain that begins with CGAL's parameters can be continued after chain() wraps it.
   expect_values(GP::internal::chain(CGAL::parameters::vertex_point_map(points))
                     .maximum_distance(0.5)
                     .threads(3u));

@@ -24,7 +24,7 @@ TEST(Principal_curvatures, are_equal_on_spheres)
   GP::principal_curvatures(mesh, boost::make_assoc_property_map(on_mesh));
   for(const auto& [vertex, curvature] : on_mesh)
   {
-    // See the kernel's test.
+    // Same tolerance as in the test of the kernel.
     EXPECT_NEAR(curvature.min_curvature, 1., 0.05);
     EXPECT_NEAR(curvature.max_curvature, 1., 0.05);
     EXPECT_NEAR(curvature.min_direction * curvature.max_direction, 0., 1e-12);
@@ -47,7 +47,7 @@ TEST(Principal_curvatures, are_equal_on_spheres)
   GP::principal_curvatures(surfels, CGAL::make_property_map(on_cloud), maps);
   for(const auto& curvature : on_cloud)
   {
-    // A surface of second order is as far from the sphere as the fourth power of the ball.
+    // A quadratic surface deviates from the sphere by the fourth power of the ball radius.
     EXPECT_NEAR(curvature.min_curvature, 1., 0.02);
     EXPECT_NEAR(curvature.max_curvature, 1., 0.02);
   }
@@ -72,10 +72,10 @@ TEST(Principal_curvatures, have_opposite_signs_on_a_saddle)
     std::vector<GP::Principal_curvatures<Surfels>> found(surfels.size());
     GP::principal_curvatures<CGAL::Parallel_tag>(scaled, CGAL::make_property_map(found),
                                                  maps.ball_radius(0.25 * scale).threads(2));
-    // x y is of second order: what a ball of 0.25 adds is of the fourth.
+    // x y is quadratic. A ball of radius 0.25 adds errors of fourth order.
     EXPECT_NEAR(scale * found[0].min_curvature, -1., 0.03);
     EXPECT_NEAR(scale * found[0].max_curvature, 1., 0.03);
-    // Seen from above it is convex where it falls to both sides: along x = -y.
+    // Seen from above, the surface is convex along x = -y, where it descends to both sides.
     const auto& d = found[0].max_direction;
     EXPECT_NEAR(std::abs(d.x() - d.y()), std::sqrt(2.), 1e-3);
   }

@@ -71,7 +71,7 @@ TEST(semi_regular_remeshing, stops_at_maximum_deviation)
       GP::Invalid_argument_error);
 }
 
-// The surface of [0, 1]^3, each side of 2 n^2 triangles.
+// Returns the surface of [0, 1]^3 with 2 n^2 triangles per cube face.
 Mesh cube(int n)
 {
   Mesh result;
@@ -105,7 +105,7 @@ Mesh cube(int n)
   return result;
 }
 
-// On how many sides of the cube a point is.
+// Returns the number of cube faces that contain a point.
 int number_of_cube_faces_at(const Kernel::Point_3& p)
 {
   int result = 0;
@@ -119,7 +119,7 @@ void expect_cube_edges_preserved(const Mesh& mesh, const NamedParameters& np)
 {
   Mesh output;
   GP::semi_regular_remeshing(mesh, 60, 2, output, np);
-  // Output edges on those of the cube are as long as these are together.
+  // Output edges on the cube's edges have the same total length as the cube's edges.
   double length = 0.;
   for(const auto e : output.edges())
   {

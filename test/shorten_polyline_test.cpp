@@ -27,7 +27,7 @@ TEST(shorten_polyline, shortens_on_mesh_given_by_aabb_tree)
       CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
   const Mesh mesh = mesh_of(icosphere(4));
   const Tree tree(faces(mesh).begin(), faces(mesh).end(), mesh);
-  // From one pole of the sphere around, with a bend.
+  // A polyline around the sphere that starts at a pole and has a bend.
   std::vector<Point_3> polyline;
   for(int i = 0; i <= 40; ++i)
   {
@@ -36,7 +36,7 @@ TEST(shorten_polyline, shortens_on_mesh_given_by_aabb_tree)
   }
   const auto path =
       GP::shorten_polyline(polyline, [&](const Point_3& p) { return tree.squared_distance(p); });
-  // The faces lie below the sphere by up to an eighth of the squared edge, 0.07.
+  // Faces lie below the sphere by at most an eighth of the squared edge length 0.07.
   EXPECT_NEAR(path.distance, 2., 2. * 0.07 * 0.07 / 8. * 2.);
   for(const Point_3& p : path.points)
     EXPECT_LT(tree.squared_distance(p), 1e-6);
@@ -44,7 +44,7 @@ TEST(shorten_polyline, shortens_on_mesh_given_by_aabb_tree)
 
 TEST(shorten_polyline, crosses_sharp_edges)
 {
-  // Over the edge of a quarter of space, and 0.5 along it.
+  // Crosses the edge of a right-angled wedge and moves by 0.5 along it.
   const auto squared_distance = [](const Point_3& p)
   {
     const double x = p.x(), z = p.z();
@@ -54,7 +54,7 @@ TEST(shorten_polyline, crosses_sharp_edges)
   };
   const std::vector<Point_3> polyline = {{-1., 0., 0.}, {0., 0., 0.}, {0., 0.5, -1.}};
   const auto path = GP::shorten_polyline(polyline, squared_distance);
-  // What is cut at the edge is at most one segment of 76, halved four times.
+  // The corner is cut by at most one of 76 segments, which was halved four times.
   const double expected = std::hypot(2., 0.5);
   EXPECT_NEAR(path.distance, expected, expected / 76. / 16.);
 }

@@ -37,7 +37,8 @@ TEST(Curvature_speeds, are_one_half_and_two_on_spheres)
   for(const double scale : {1., 1e-6, 1e6})
   {
     const Triangulation sphere = scaled(icosphere(4), scale);
-    // Curvatures are within five percent, see the kernel's test, and are half of the sum here.
+    // Curvatures are accurate to 5 %, as in the kernel's test. The sum in the formula halves this
+    // error.
     for(const double speed : speeds_of(sphere))
       EXPECT_NEAR(speed, 0.5, 0.025 * 0.5);
     for(const double speed : speeds_of<GP::Edge_repulsive>(sphere))
@@ -56,10 +57,10 @@ TEST(Curvature_speeds, depend_on_strength)
   for(std::size_t i = 0; i < slow.size(); ++i)
   {
     EXPECT_LT(slow[i], 1.);
-    EXPECT_NEAR(slow[i] * fast[i], 1., 1e-14); // rounding
+    EXPECT_NEAR(slow[i] * fast[i], 1., 1e-14); // round-off errors
     EXPECT_NEAR(faster[i] - 1., 2. * (fast[i] - 1.), 1e-13 * faster[i]);
   }
-  // Smoothed over a ball that holds most of it, it bends everywhere much the same.
+  // Smoothed over a ball that contains most of the surface, curvature is nearly constant.
   const auto smooth = speeds_of(shape, GP::parameters::ball_radius(1.5).strength(0.3));
   const auto spread = [](const std::vector<double>& x)
   { return *std::max_element(x.begin(), x.end()) / *std::min_element(x.begin(), x.end()); };
@@ -82,12 +83,13 @@ TEST(Curvature_speeds, agree_on_meshes_and_clouds)
   const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
   std::vector<double> on_cloud(surfels.size());
   GP::curvature_speeds(surfels, CGAL::make_property_map(on_cloud), maps);
-  // A hundredth of the curvature is lost to the fit, and one of the area to local triangles.
+  // The curvature fit loses 1 %, and the area of the local triangles 1 %.
   for(const double speed : on_cloud)
     EXPECT_NEAR(speed, 0.5, 0.01);
 }
 
-// A torus bends most on its outside: from there the outside is quick, and from inside the inside.
+// A torus has its largest curvature on the outer equator. Speeds are high near vertices with the
+// base's curvature.
 TEST(Similar_curvature_speeds, decrease_with_mean_curvature_difference)
 {
   for(const double scale : {1e-6, 1., 1e6})
@@ -115,7 +117,7 @@ TEST(Similar_curvature_speeds, decrease_with_mean_curvature_difference)
         EXPECT_LE(speed[v], 1.);
         if(std::abs(radius(v) - radius(base)) < 1e-9)
         {
-          EXPECT_GT(speed[v], 0.95); // the tensors of a ring differ by a few percent
+          EXPECT_GT(speed[v], 0.95); // the curvature tensors of a ring differ by a few percent
         }
       }
     }
@@ -132,7 +134,7 @@ TEST(Similar_curvature_speeds, decrease_with_mean_curvature_difference)
   }
 }
 
-// How many of 120 samples of a sheet lie within 0.1 of the crease in its middle.
+// Returns how many of 120 samples of a sheet lie within 0.1 of the crease along its center line.
 template <typename SpeedMap>
 std::size_t samples_at_crease(const Mesh& mesh, SpeedMap speed)
 {
@@ -173,7 +175,7 @@ TEST(Image_speeds, are_exact_for_linear_images)
   {
     GP::image_speeds(mesh, image, speed, GP::parameters::strength(strength));
     for(const double x : values(mesh, speed))
-      EXPECT_NEAR(x, 1. / (1. + strength), 1e-12); // rounding
+      EXPECT_NEAR(x, 1. / (1. + strength), 1e-12); // round-off errors
   }
   GP::image_speeds(mesh, color, speed);
   for(const double x : values(mesh, speed))
@@ -195,12 +197,13 @@ TEST(Image_speeds, are_scale_invariant)
   }
   for(std::size_t i = 0; i < all[0].size(); ++i)
     for(const std::size_t k : {1u, 2u})
-      EXPECT_NEAR(all[k][i], all[0][i], 1e-11); // rounding, in slopes of differences
+      EXPECT_NEAR(all[k][i], all[0][i], 1e-11); // round-off errors in slopes of differences
 }
 
 TEST(Image_speeds, support_colors_and_clouds)
 {
-  // Black, then red: where it changes it is slow, by the strength that the change has.
+  // Black, then red. Speed is low at the color change and depends on the strength and the size of
+  // the change.
   const Surfels surfels = flat_surfels(2000);
   const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
   std::vector<CGAL::IO::Color> color;
@@ -208,9 +211,9 @@ TEST(Image_speeds, support_colors_and_clouds)
     color.emplace_back(point.x() < 0.5 ? 0 : 255, 0, 0);
   std::vector<double> speed(surfels.size());
   GP::image_speeds(surfels, CGAL::make_property_map(color), CGAL::make_property_map(speed), maps);
-  EXPECT_NEAR(*std::min_element(speed.begin(), speed.end()), 1. / 21., 1e-12); // rounding
+  EXPECT_NEAR(*std::min_element(speed.begin(), speed.end()), 1. / 21., 1e-12); // round-off errors
   for(std::size_t i = 0; i < surfels.size(); ++i)
-    // Triangles of neighbours are smaller than this: there are about 45 surfels in a row.
+    // Triangles are smaller than 0.1, because there are about 45 surfels in a row.
     if(std::abs(surfels[i].first.x() - 0.5) > 0.1)
     {
       EXPECT_EQ(speed[i], 1.);
@@ -230,7 +233,7 @@ TEST(Image_speeds, support_polyhedra)
   for(const auto v : polyhedron.vertices)
     if(std::abs(v->point().x() - 0.5) > 0.01)
     {
-      EXPECT_NEAR(speed[v], v->point().x() < 0.5 ? 1. : 0.25, 1e-12); // rounding
+      EXPECT_NEAR(speed[v], v->point().x() < 0.5 ? 1. : 0.25, 1e-12); // round-off errors
     }
 }
 

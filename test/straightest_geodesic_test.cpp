@@ -54,14 +54,15 @@ TEST(Straightest_geodesic, ends_at_boundary)
 
 TEST(Straightest_geodesic, closes_around_tetrahedron)
 {
-  // Parallel to an edge through the middles of the four others it closes, in the length of two sides.
+  // A geodesic parallel to an edge passes the midpoints of the four adjacent edges. It closes
+  // after two edge lengths.
   Numbered<Surface_mesh> mesh;
   fill(mesh, tetrahedron());
   const Triangulation shape = tetrahedron();
   const auto from = location_in(mesh, shape, 0, {0.5, 0.5, 0.});
   const Point a = shape.points[0], b = shape.points[1], c = shape.points[2];
   const double edge_length = distance(a, b);
-  // To the middle of the next side of face 0.
+  // To the midpoint of the next edge of face 0.
   const Vector_3 direction(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
   const auto path = straightest_geodesic(mesh.mesh, from, direction, 2. * edge_length);
   EXPECT_NEAR(path.length, 2. * edge_length, round_off);

@@ -13,7 +13,7 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-// Each can be asked for, and finds a way.
+// Checks that a variant can be selected and finds a path.
 template <typename Parameters>
 void expect_a_path(const Parameters& parameters)
 {
@@ -23,7 +23,7 @@ void expect_a_path(const Parameters& parameters)
       parameters.point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
   const double chord = std::sqrt(CGAL::squared_distance(surfels[0].first, surfels[100].first));
   EXPECT_GT(path.front_distance, chord);
-  EXPECT_LT(path.front_distance, 3.2); // half of the way round, and some
+  EXPECT_LT(path.front_distance, 3.2); // slightly more than half of the circumference
 }
 
 TEST(surfel_variants, every_variant_finds_path)

@@ -13,23 +13,23 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// A square's diagonal tells methods apart.
+// Returns the distance along the diagonal of a square, which distinguishes the methods.
 template <typename Method>
 double distance_across_square()
 {
   static const Array_surface surface(square(20));
   internal::Distance_engine engine(internal::distance_method<Method>(), surface.triangles());
   engine.run({surface.source(20)});
-  return surface.distances(engine)[20 * 21]; // from (1,0) to (0,1), against all diagonals
+  return surface.distances(engine)[20 * 21]; // from (1,0) to (0,1), across all face diagonals
 }
 
 TEST(Tags, select_methods_with_expected_errors)
 {
   EXPECT_NEAR(distance_across_square<Dijkstra>(), 2.,
-              1e-12); // the sides' sums, wrong by 41 percent
+              1e-12); // the sum of two edge lengths, 41 % too long
   EXPECT_NEAR(distance_across_square<Euclidean_front>(), std::sqrt(2.), 1e-9);
   EXPECT_NEAR(distance_across_square<Exact>(), std::sqrt(2.), 1e-12); // sums of twenty lengths
-  // First order: a side of 1/20.
+  // First order: an edge length of 1/20.
   EXPECT_NEAR(distance_across_square<Fast_marching>(), std::sqrt(2.), 1.1 / 20.);
   EXPECT_GT(distance_across_square<Fast_marching>(), std::sqrt(2.) + 1e-6);
   EXPECT_NEAR(distance_across_square<Heat>(), std::sqrt(2.), 0.1);

@@ -21,7 +21,8 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using UV = std::array<double, 2>;
 
-// By counting: which triangles contain the middles of the texels of a fine raster.
+// Returns the maximum number of triangles that contain the center of the same texel of a fine
+// raster.
 template <typename Graph, typename Map>
 std::size_t max_triangle_overlap(const Graph& mesh, const Map& uv, int size)
 {
@@ -66,7 +67,7 @@ void expect_atlas(const Triangulation& triangulation, std::size_t number)
     charts.insert(one);
   EXPECT_EQ(charts.size(), atlas.number_of_charts);
   EXPECT_EQ(*charts.rbegin(), atlas.number_of_charts - 1);
-  // Corners of one vertex agree across the edges inside of charts.
+  // Inside charts, the corners of a vertex have equal UV coordinates on both sides of an edge.
   for(const auto face : faces(surface.mesh))
     for(const auto h : CGAL::halfedges_around_face(halfedge(face, surface.mesh), surface.mesh))
     {
@@ -82,7 +83,7 @@ void expect_atlas(const Triangulation& triangulation, std::size_t number)
   const auto distortion = GP::flattening_distortion(surface.mesh, uv);
   EXPECT_EQ(distortion.number_of_flips, 0u);
   EXPECT_LT(distortion.symmetric_dirichlet,
-            5.); // 4 without distortion: cells of a sphere are a little bent
+            5.); // 4 without distortion; cells of a sphere are slightly curved
 }
 
 TEST(texture_atlas, accepts_all_mesh_types)
@@ -108,8 +109,8 @@ TEST(texture_atlas, texel_density_follows_scale)
     const GP::Texture_atlas atlas = GP::texture_atlas(mesh, 8, boost::make_assoc_property_map(uv));
     EXPECT_TRUE(atlas.is_injective());
     one = scale == 1. ? atlas.texels_per_length : one;
-    EXPECT_EQ(atlas.texels_per_length * scale, one); // powers of two are exact
-    // The areas of both, apart from the distortion of areas.
+    EXPECT_EQ(atlas.texels_per_length * scale, one); // scaling by powers of two is exact
+    // Compares both areas, up to area distortion.
     EXPECT_NEAR(atlas.coverage * 1024. * 1024. / (atlas.texels_per_length * scale) /
                     (atlas.texels_per_length * scale),
                 4. * GP::internal::pi, 0.05 * 4. * GP::internal::pi);

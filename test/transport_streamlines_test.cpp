@@ -17,9 +17,9 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-// Proposition 2 of Solomon and others 2014: from a point to a ball that is filled evenly lines are shortest
-// paths to all of its points, and as it shrinks what that costs becomes the distance: it differs by no
-// more than the radius, and by what bounds leave open.
+// Proposition 2 of Solomon et al. 2014: from a point to a uniformly filled ball, streamlines are
+// shortest paths to all points of the ball. As the ball shrinks, the cost converges to the
+// distance. Their difference is at most the radius plus the gap of the bounds.
 TEST(transport_streamlines, cost_to_ball_approximates_distance)
 {
   const Mesh mesh = mesh_of(jittered(icosphere(4), 0.01));
@@ -36,7 +36,7 @@ TEST(transport_streamlines, cost_to_ball_approximates_distance)
         ball.push_back(v);
     GP::Earth_movers_solver<Mesh> solver(mesh);
     const GP::Earth_movers_cost cost = solver.compute(p, ball);
-    // Half of a percent: what is lost on the curved surface.
+    // 0.5 % is lost on the curved surface.
     EXPECT_LE(std::abs(cost.value - distance),
               radius + (cost.upper - cost.lower) + 0.005 * distance);
 
@@ -47,13 +47,13 @@ TEST(transport_streamlines, cost_to_ball_approximates_distance)
     {
       EXPECT_TRUE(line.has_arrived);
       const auto is_at = [&mesh](Vertex v, const Kernel::Point_3& x)
-      { return CGAL::squared_distance(mesh.point(v), x) < 1e-24; }; // rounding
+      { return CGAL::squared_distance(mesh.point(v), x) < 1e-24; }; // round-off errors
       EXPECT_TRUE(is_at(p, line.points.front()));
       const auto end = std::find_if(ball.begin(), ball.end(),
                                     [&](Vertex v) { return is_at(v, line.points.back()); });
       ASSERT_NE(end, ball.end());
       EXPECT_LE(line.length, 1.01 * from_p.distance(*end));
-      EXPECT_GE(line.length, (1. - 1e-9) * from_p.distance(*end)); // rounding
+      EXPECT_GE(line.length, (1. - 1e-9) * from_p.distance(*end)); // round-off errors
     }
   }
 }
@@ -73,7 +73,7 @@ TEST(transport_streamlines, starts_at_seeds)
     EXPECT_EQ(lines[i].points.back(), mesh.point(to[i]));
     EXPECT_NEAR(lines[i].length, 5. / 12., 1e-12);
   }
-  // From elsewhere: along the border to where it ends.
+  // Seeds at other locations: streamlines follow the boundary to their end.
   std::vector<GP::Streamline<Mesh>> lines_from_seeds;
   const std::vector<GP::Location<Mesh>> seeds = {location_of(3, {0.2, 0.3, 0.5})};
   GP::transport_streamlines(mesh, from, to, seeds, std::back_inserter(lines_from_seeds));
