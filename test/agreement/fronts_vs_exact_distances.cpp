@@ -19,7 +19,7 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Exact =
     CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Surface_mesh>>;
 
-// Distances from a point by the algorithm of Chen and Han, which another package implements.
+// Returns distances from a point by CGAL's implementation of the algorithm of Chen and Han.
 std::vector<double> exact_distances(const Triangulation& shape, Index source)
 {
   Numbered<Surface_mesh> mesh;
@@ -37,7 +37,7 @@ std::vector<double> exact_distances(const Triangulation& shape, Index source)
 
 struct Errors
 {
-  double mean, largest; // relative, beyond 5 percent of the largest distance
+  double mean, largest; // relative errors beyond 5 % of the largest distance
 };
 
 Errors errors(const std::vector<double>& d, const std::vector<double>& exact)
@@ -71,15 +71,15 @@ void expect_agreement(const Triangulation& shape)
   const Errors euclidean = errors_of(Method::euclidean_front),
                planar = errors_of(Method::fast_marching), heat = errors_of(Method::heat),
                dijkstra = errors_of(Method::dijkstra);
-  // The means are about those that each method's page states for scans; coarse meshes with thin
-  // triangles have half as much again, and heat on a thin knot of 3,200 vertices 5 percent.
+  // Means are close to those documented for scans. On coarse meshes with thin triangles, they are
+  // half as large again. Heat errs by 5 % on a thin knot with 3,200 vertices.
   EXPECT_LT(euclidean.mean, 0.006);
   EXPECT_LT(euclidean.largest, 0.1);
   EXPECT_LT(3. * euclidean.mean, planar.mean);
   EXPECT_LT(3. * euclidean.mean, heat.mean);
   EXPECT_LT(planar.mean, 0.05);
   EXPECT_LT(heat.mean, 0.08);
-  EXPECT_LT(dijkstra.mean, 0.2); // chains of edges
+  EXPECT_LT(dijkstra.mean, 0.2); // edge chains
 }
 
 TEST(Fronts_vs_exact_distances, agree_on_rough_sphere)

@@ -13,8 +13,8 @@
 #include <random>
 #include <set>
 
-// The local triangles of surfels of a plane are the Delaunay triangles of the whole plane, but for
-// those along the border that are too long.
+// The local triangles of surfels in a plane equal the Delaunay triangles of all points. Only
+// triangles that are too large, near the boundary, are missing.
 
 namespace CGAL::Geodesic_processing::internal {
 namespace {
@@ -31,7 +31,8 @@ std::array<Index, 3> sorted(std::array<Index, 3> corners)
   return corners;
 }
 
-// The places lie in the plane of the axes (2, 1, 2) / 3 and (-2, 2, 1) / 3.
+// Places points in the plane with axes (2, 1, 2) / 3 and (-2, 2, 1) / 3 and compares the
+// triangles.
 void expect_agreement(const std::vector<std::array<double, 2>>& points_in_plane)
 {
   const std::array<double, 3> normal = {-1. / 3., -2. / 3., 2. / 3.};
@@ -70,7 +71,7 @@ void expect_agreement(const std::vector<std::array<double, 2>>& points_in_plane)
     double radius = infinity;
     for(const Index corner : corners)
       radius = std::min(radius, t.scale * surfels.radius[surfels.internal_vertex[corner]]);
-    // Radii are known to rounding, and the limit is 2.5 of them.
+    // The limit is 2.5 radii. A factor of 2.499 allows for round-off errors of the radii.
     if(circumradius < 2.499 * radius)
     {
       EXPECT_TRUE(local_triangles.count(sorted(corners)));
@@ -80,7 +81,7 @@ void expect_agreement(const std::vector<std::array<double, 2>>& points_in_plane)
   }
   for(const auto& corners : local_triangles)
     EXPECT_TRUE(delaunay_triangles.count(corners));
-  // Only the border, of about 4 sqrt(n) surfels, has such triangles.
+  // Only the boundary, with about 4 sqrt(n) surfels, has such triangles.
   EXPECT_LT(number_of_rejected, 4. * std::sqrt(double(points_in_plane.size())));
 }
 
@@ -101,7 +102,7 @@ TEST(Local_triangles_vs_delaunay, agree_on_varying_density)
   std::vector<std::array<double, 2>> points_in_plane(20000);
   for(auto& point_in_plane : points_in_plane)
   {
-    // Four times as dense at the left as at the right.
+    // Four times as dense on the left as on the right.
     const double x = coordinate(random);
     point_in_plane = {x * (x + 2. / 3.), coordinate(random)};
   }

@@ -14,7 +14,8 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// Each face cut into four flat ones: the same surface, and the first points are the same.
+// Returns the same surface with each face divided into four coplanar ones. The original points
+// come first.
 Triangulation subdivided_mesh(const Triangulation& shape)
 {
   Triangulation result{shape.points, {}};
@@ -41,7 +42,7 @@ Triangulation subdivided_mesh(const Triangulation& shape)
   return result;
 }
 
-// The mean of |a / b - 1| beyond 5 percent of the largest distance.
+// Returns the mean of |a / b - 1| beyond 5 % of the largest distance.
 double mean_difference(const std::vector<double>& a, const std::vector<double>& b)
 {
   const double max_distance = *std::max_element(b.begin(), b.end());
@@ -56,15 +57,15 @@ void expect_agreement_with_refined(const Triangulation& shape)
     const auto d = distances(coarse, method, {coarse.source(0)});
     auto on_fine = distances(fine, method, {fine.source(0)});
     on_fine.resize(d.size());
-    // The errors of both, and the finer one has less: what each method's page states,
-    // and half as much again on coarse meshes.
+    // Both meshes have errors, and the finer one has smaller ones. They are as documented for each
+    // method, and half as large again on coarse meshes.
     const double error = method == Method::euclidean_front ? 0.006
                          : method == Method::dijkstra      ? 0.1
                                                            : 0.03;
     EXPECT_LT(mean_difference(on_fine, d), error) << method;
     if(method != Method::dijkstra)
       continue;
-    for(Index i = 0; i < d.size(); ++i) // the old edges are still there
+    for(Index i = 0; i < d.size(); ++i) // the refined mesh contains the original edges
       EXPECT_LE(on_fine[i], d[i] * (1. + rounding));
   }
 }
@@ -74,8 +75,8 @@ void expect_agreement_of_heat_and_front(const Triangulation& shape)
   const Array_surface surface(shape);
   const auto front = distances(surface, Method::euclidean_front, {surface.source(0)});
   const auto heat = distances(surface, Method::heat, {surface.source(0)});
-  // The errors of both on coarse scans: heat's of 3 percent (femur_3k9, against exact distances) and the
-  // front's of 0.6.
+  // The sum of both errors on coarse scans: 3 % for heat (femur_3k9, compared with exact
+  // distances) and 0.6 % for the front.
   EXPECT_LT(mean_difference(heat, front), 0.036);
 }
 
@@ -101,7 +102,7 @@ TEST(Distances_vs_refinement_and_point_set, agree_with_point_set)
   std::vector<double> on_cloud;
   for(Index i = 0; i < sphere.points.size(); ++i)
     on_cloud.push_back(cloud.arrays.scale * front.distance(cloud.internal_vertex[i]));
-  // Both are of second order: h^2 with sides of 0.04, times a constant of order one.
+  // Both have second-order errors: a constant of order one times h^2, with edge length h = 0.04.
   EXPECT_LT(mean_difference(on_cloud, on_mesh), 0.002);
 }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Earth mover's distances by flows in triangles beside the linear program over all pairs of vertices, with
-// exact distances as costs.
+// Compares earth mover's distances by flows in triangles with the linear program over all pairs of
+// vertices, whose costs are exact distances.
 #include <CGAL/Geodesic_processing/internal/transport/Multilevel_transport_solver.h>
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 
@@ -23,8 +23,8 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The least cost of moving masses, negative ones to positive ones, each pair along its shortest path.
-// LEMON counts in integers: masses in parts of 1e6, lengths of 1e9.
+// Returns the minimum cost of moving the negative masses to the positive ones along shortest
+// paths. LEMON uses integers: masses in units of 1e-6, lengths in units of 1e-9.
 double optimal_cost(const Array_surface& surface, const std::vector<long long>& masses)
 {
   lemon::ListDigraph graph;
@@ -51,7 +51,7 @@ double optimal_cost(const Array_surface& surface, const std::vector<long long>& 
   return 1e-15 * simplex.totalCost<double>();
 }
 
-// From some random vertices to as many others.
+// Returns masses at `number` random vertices and at as many random targets.
 std::vector<long long> random_masses(Index size, std::size_t number)
 {
   std::mt19937 random;
@@ -65,7 +65,8 @@ std::vector<long long> random_masses(Index size, std::size_t number)
   return result;
 }
 
-// From a hill around the first vertex to one around the last, each as wide as a quarter of the surface.
+// Returns Gaussian masses around the first and the last vertex. Their width is a quarter of the
+// distance between them.
 std::vector<long long> gaussian_masses(const Array_surface& surface)
 {
   const Index last = surface.size() - 1;
@@ -84,7 +85,7 @@ std::vector<long long> gaussian_masses(const Array_surface& surface)
     for(Index i = 0; i <= last; ++i)
       result[i] += (is_source ? -1 : 1) * std::llround(1e6 * double(last) * mass[i] / sum);
   }
-  // What rounding left.
+  // Compensates the round-off error of the sum.
   result[last] -= std::accumulate(result.begin(), result.end(), 0ll);
   return result;
 }
@@ -120,13 +121,14 @@ TEST(transport, bounds_enclose_optimal_cost)
       for(const unsigned refinements : {0u, 1u})
       {
         const Transport_result found = transport_cost(surface, *masses, refinements);
-        // Rounding of lengths to 1e-9, and of sums.
+        // Lengths are rounded to 1e-9, and sums have round-off errors.
         EXPECT_LE(found.lower, exact * (1. + 1e-6));
         EXPECT_GE(found.upper_continuous, exact * (1. - 1e-6));
-        // About half as much each time, and the gaps.
+        // Each refinement halves the error approximately. Duality gaps are added.
         EXPECT_LT(exact - found.value, 0.75 * error + 2e-4 * exact);
         error = exact - found.value;
-        // Around points a part of a side, and some go no farther than a few sides; the hills are that wide.
+        // Around a point mass, the error is a fraction of an edge length, and some masses move
+        // only a few edges. Gaussian masses are wide.
         EXPECT_LT(error, (masses == &smooth_masses ? 0.02 : 0.1) * exact);
       }
     }

@@ -21,8 +21,8 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Sequence_tree =
     CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Surface_mesh>>;
 
-// Exact distances in two ways: by windows, and by the algorithm of Chen and Han, which another
-// package implements.
+// Compares exact distances by window propagation with CGAL's implementation of the algorithm of
+// Chen and Han.
 void expect_agreement(const Triangulation& shape, double tolerance)
 {
   const Array_surface surface(shape);
@@ -43,7 +43,7 @@ void expect_agreement(const Triangulation& shape, double tolerance)
   }
 }
 
-// What two programs that unfold hundreds of triangles in different orders have in common.
+// Accuracy of two implementations that unfold hundreds of triangles in different orders.
 constexpr double unfolding_tolerance = 1e-9;
 
 TEST(Windows_vs_chen_han, agree_on_closed_surfaces)
@@ -74,7 +74,7 @@ TEST(Windows_vs_chen_han, agree_on_surfaces_with_boundary)
 
 TEST(Windows_vs_chen_han, agree_on_spikes)
 {
-  // Windows wind around spikes up to a hundred times as high as wide.
+  // Windows wind around spikes whose height is up to a hundred times their width.
   for(const double height : {0.3, 3.})
     expect_agreement(grid(
                          16, 16,
@@ -90,7 +90,7 @@ TEST(Windows_vs_chen_han, agree_on_scans_and_cad_models)
   for(const char* name : {"meshes/pig_468.off", "meshes/spool_649.off", "patches/patch_01_735.off"})
     if(const Triangulation shape = read_off(model(name)); !shape.points.empty())
       expect_agreement(shape, unfolding_tolerance);
-  // Angles of half a degree leave seven digits fewer of a needle's height.
+  // With angles of half a degree, the height of a needle has seven fewer accurate digits.
   if(const Triangulation shape = read_off(model("meshes/joint_221.off")); !shape.points.empty())
     expect_agreement(shape, 1e-6);
   if(model("meshes/pig_468.off").empty())

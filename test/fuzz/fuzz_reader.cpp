@@ -37,7 +37,7 @@ int fuzz_reader(program::Surface_file (*read)(std::string_view, const std::strin
   {
     must(file.normals.size() == file.points.size());
     for(const program::Point& n : file.normals)
-      must(std::abs(std::hypot(n[0], n[1], n[2]) - 1.) < 1e-12); // rounding of a division
+      must(std::abs(std::hypot(n[0], n[1], n[2]) - 1.) < 1e-12); // round-off error of a division
     return 0;
   }
   must(file.corners.size() == 3 * file.number_of_polygons());

@@ -34,7 +34,7 @@ Mesh mesh_of(const std::vector<Point>& points, const Triangles& triangles)
   return program::make_mesh(program::repair(std::move(file), ""));
 }
 
-// A prism of height 1 without its lids, over a polygon on the unit circle.
+// Returns a prism of height 1 without its end faces, over a regular polygon on the unit circle.
 Mesh tube(std::uint32_t corners, double scale, bool with_hole = false)
 {
   std::vector<Point> points;
@@ -50,7 +50,7 @@ Mesh tube(std::uint32_t corners, double scale, bool with_hole = false)
   }
   if(with_hole)
   {
-    // In the middle of the last triangle.
+    // A hole in the center of the last triangle.
     const auto [a, b, c] = triangles.back();
     triangles.pop_back();
     for(const double s : {0.2, 0.6})
@@ -63,7 +63,7 @@ Mesh tube(std::uint32_t corners, double scale, bool with_hole = false)
                    t * (points[c][k] - points[a][k]);
           points.push_back(p);
         }
-    const std::uint32_t d = 2 * corners, e = d + 2, f = d + 1; // near a, b and c
+    const std::uint32_t d = 2 * corners, e = d + 2, f = d + 1; // close to a, b and c
     for(const auto& triangle :
         Triangles{{a, b, d}, {b, e, d}, {b, c, e}, {c, f, e}, {c, a, f}, {a, d, f}})
       triangles.push_back(triangle);
@@ -71,7 +71,8 @@ Mesh tube(std::uint32_t corners, double scale, bool with_hole = false)
   return mesh_of(points, triangles);
 }
 
-// Squares of side 1, cut in two, without some of the triangles.
+// Returns a sheet of squares of edge length 1, each divided into two triangles, without the
+// triangles in `missing`.
 Mesh sheet(std::uint32_t squares, const std::set<std::size_t>& missing = {})
 {
   std::vector<Point> points;
@@ -123,7 +124,8 @@ TEST(Fill_holes, closes_tube_with_planar_lids)
       for(auto& p : mesh.points())
         p = {p.x() / scale, p.y() / scale, p.z() / scale};
       const double volume = n * std::sin(2. * CGAL_PI / n) / 2.;
-      EXPECT_NEAR(CGAL::Polygon_mesh_processing::volume(mesh), volume, 1e-12 * n); // n roundings
+      EXPECT_NEAR(CGAL::Polygon_mesh_processing::volume(mesh), volume,
+                  1e-12 * n); // n round-off errors
     }
 }
 
@@ -150,7 +152,7 @@ TEST(Fill_holes, adds_no_duplicate_edges)
 
 TEST(Fill_holes, fills_holes_sharing_a_vertex)
 {
-  // Opposite triangles around the vertex in the middle.
+  // Opposite triangles around the center vertex.
   Mesh mesh = sheet(4, {11, 20});
   EXPECT_EQ(number_of_boundary_edges(mesh), 16u + 6u);
   const Hole_filling_result holes = program::fill_holes(mesh, 3);
@@ -162,7 +164,7 @@ TEST(Fill_holes, fills_holes_sharing_a_vertex)
 
 TEST(Fill_holes, does_not_join_touching_components)
 {
-  // Two tetrahedra without a face each, which share the vertex between their open sides.
+  // Two tetrahedra with one missing face each. They share a vertex of both missing faces.
   Mesh open =
       mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
               {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 6, 4}, {4, 6, 5}, {5, 6, 0}});
@@ -171,7 +173,7 @@ TEST(Fill_holes, does_not_join_touching_components)
   EXPECT_EQ(number_of_boundary_edges(open), 0u);
   EXPECT_EQ(open.number_of_edges(), 12u);
 
-  // What surrounds a single triangle is no hole.
+  // The boundary cycle around a single triangle is not a hole.
   Mesh single =
       mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
   const Hole_filling_result holes = program::fill_holes(single);
@@ -182,7 +184,7 @@ TEST(Fill_holes, does_not_join_touching_components)
 
 TEST(Fill_holes, accepts_coincident_vertices)
 {
-  // A tube of ten corners, neighbours of which move to one place, two at either end.
+  // A prism over ten corners. At either end, two adjacent vertices are moved to the same point.
   for(std::uint32_t i = 0; i < 10; ++i)
   {
     Mesh mesh = tube(10, 1.);
@@ -204,8 +206,9 @@ TEST(Fill_holes, leaves_degenerate_or_expensive_holes)
   EXPECT_EQ(program::fill_holes(large_tube).number_of_left, 2u);
   EXPECT_EQ(number_of_boundary_edges(large_tube), 12000u);
 
-  // Fans around rims of any shape: all at one point, on a line, on two lines that do not meet, whose
-  // Delaunay triangulation is as large as can be, and anywhere.
+  // Fans around boundary cycles of any shape: all points coincide, lie on a line, lie on two skew
+  // lines, or are random. The Delaunay triangulation of points on two skew lines has the maximum
+  // size.
   std::mt19937 random(1);
   const auto coordinate = [&] { return static_cast<double>(random()) / 4294967296.; };
   for(int shape = 0; shape < 4; ++shape)

@@ -16,16 +16,16 @@ using program::Image;
 
 TEST(Image, interpolates_bilinearly)
 {
-  // Two rows of three; the lower one red, from dark to bright.
+  // Two rows of three pixels. The lower row is red, from dark to bright.
   const Image image{
       3, 2, {{0., 0., 0.}, {0.5, 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0., 1., 0.}, {0., 1., 0.}}};
   EXPECT_EQ(image.at(0., 0.), (Color{0., 0., 0.}));
   EXPECT_EQ(image.at(1., 0.), (Color{1., 0., 0.}));
   EXPECT_EQ(image.at(0.5, 1.), (Color{0., 1., 0.}));
   const Color between = image.at(1. / 3., 0.5);
-  EXPECT_NEAR(between[0], 0.125, 1e-15); // rounding
+  EXPECT_NEAR(between[0], 0.125, 1e-15); // round-off errors
   EXPECT_NEAR(between[1], 0.5, 1e-15);
-  // Outside it repeats.
+  // Outside the unit square, the image repeats.
   for(const double shift : {-3., 1., 7.})
     EXPECT_NEAR(image.at(0.25 + shift, 0.25 + shift)[0], image.at(0.25, 0.25)[0], 1e-14);
 }
@@ -43,7 +43,7 @@ TEST(Image, transparent_pixels_do_not_bleed)
   const auto middle = image.rgba_at(0.5, 0.5);
   EXPECT_EQ(middle, (std::array<double, 4>{1., 0., 0., 0.5}));
   EXPECT_EQ(image.rgba_at(1., 0.5)[3], 0.);
-  // Without opacities all is opaque.
+  // An image without opacities is opaque.
   const Image opaque{2, 1, {{1., 0., 0.}, {0., 1., 0.}}};
   EXPECT_EQ(opaque.rgba_at(0.5, 0.5), (std::array<double, 4>{0.5, 0.5, 0., 1.}));
 }
@@ -73,7 +73,7 @@ TEST(Image, polar_grid_alternates)
 {
   EXPECT_EQ(program::polar_grid_cell(1., 0.1, 20), -1);
   EXPECT_EQ(program::polar_grid_cell(std::nan(""), 0., 20), -1);
-  // Across a ring, and across a ray.
+  // Cells alternate across a ring and across a ray.
   const double angle = std::acos(-1.) / 24.;
   const int cell = program::polar_grid_cell(0.525 * std::cos(angle), 0.525 * std::sin(angle), 20);
   EXPECT_EQ(program::polar_grid_cell(0.575 * std::cos(angle), 0.575 * std::sin(angle), 20),
@@ -86,7 +86,7 @@ TEST(Image, polar_grid_alternates)
   const auto color = [&](double x, double y) { return grid.at(0.5 + 0.5 * x, 0.5 + 0.5 * y); };
   const double c = std::cos(angle), s = std::sin(angle);
   EXPECT_GT(std::abs(color(0.525 * c, 0.525 * s)[0] - color(0.575 * c, 0.575 * s)[0]), 0.5);
-  // The same but for rounding.
+  // Equal up to round-off errors.
   const Color here = color(0.525 * c, 0.525 * s), there = color(0.575 * c, -0.575 * s);
   for(std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(here[k], there[k], 1e-12);

@@ -14,7 +14,7 @@ namespace {
 using program::Surface_file;
 using Reader = Surface_file (*)(std::string_view, const std::string&);
 
-// What the reader says about bad bytes; empty when it takes them.
+// Returns the reader's error message, or an empty string if the reader accepts the bytes.
 std::string error_message(Reader read, const std::string& bytes)
 {
   try
@@ -148,7 +148,7 @@ TEST(Read_ply, reads_edges)
                               "")
                 .edges,
             (std::vector<std::array<std::uint32_t, 2>>{{2, 0}, {0, 1}}));
-  // Of another kind, they are passed over.
+  // Edges with other properties are ignored.
   EXPECT_TRUE(program::read_ply(ply_header +
                                     "element edge 1\nproperty int v0\nproperty int v1\n"
                                     "end_header\n" +
@@ -212,7 +212,7 @@ TEST(Read_obj, first_face_defines_texture_coordinates)
   EXPECT_EQ(
       program::read_obj(points + texture_coordinates + "f 1/1 2/2 3/3\nf 3/-4 2/1 4/-1/7\n", "").uv,
       (Texture_coordinates{{0., 0.}, {1., 0.}, {0.5, 0.}, {0.25, 1.}}));
-  // Not where a corner has none.
+  // If a corner has no valid texture coordinates, none are read.
   for(const char* const faces :
       {"f 1/1 2/2 3\n", "f 1/1 2/2 3/9\n", "f 1/1 2/2 3/-9\n", "f 1 2 3\n", "f 1/1 2/2 3//1\n",
        "f 1/1 2/2 3/x\n", "f 1/1 2/2 3/0\n", ""})
@@ -232,7 +232,7 @@ TEST(Read_obj, reads_vertex_colors)
   const auto byte_colors = properties("v 0 0 0 255 1 0\nv 1 0 0 3 128 0\nv 0 1 0 0 0 7\n");
   EXPECT_EQ(byte_colors.at("red"), (Values{255., 3., 0.}));
   EXPECT_EQ(byte_colors.at("green"), (Values{1., 128., 0.}));
-  // Not where a vertex has none: one more number is a weight.
+  // If a vertex has no color, no colors are read. A single additional number is a weight.
   EXPECT_TRUE(properties("v 0 0 0 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\n").empty());
   EXPECT_TRUE(properties("v 0 0 0 1 x 1\nv 1 0 0\nv 0 1 0\n").empty());
 }
@@ -354,7 +354,7 @@ TEST(Read_surface_file, error_names_file_and_reason)
                       error_of(folder + "read_surface_file.off"));
 }
 
-// Whatever is cut off or changed in a good file, the reader says so or reads something valid.
+// If a valid file is truncated or modified, the reader reports an error or returns valid data.
 TEST(Read_files, corrupted_files_are_rejected_or_valid)
 {
   const std::map<std::string, Reader> readers = {
@@ -398,7 +398,7 @@ TEST(Read_files, corrupted_files_are_rejected_or_valid)
     }
   }
   EXPECT_GE(files, 25u);
-  EXPECT_GE(good, files); // each as it is, at least
+  EXPECT_GE(good, files); // at least each unmodified file
   EXPECT_GT(bad, files);
 }
 

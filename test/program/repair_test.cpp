@@ -51,8 +51,8 @@ const std::vector<Point> tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 
 
 TEST(Triangulate, concave_polygons_keep_their_area)
 {
-  // A star of ten corners, in planes across all three axes; in the units of a crystal and of a
-  // galaxy.
+  // A star-shaped polygon with ten corners, in planes orthogonal to each axis. The scales cover
+  // extremely small and large units.
   for(const double scale : {1., 1e-160, 1e160})
     for(std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -76,13 +76,13 @@ TEST(Triangulate, concave_polygons_keep_their_area)
       for(Point& p : surface.points)
         for(double& x : p)
           x /= scale;
-      EXPECT_NEAR(area(surface), expected, 1e-14); // rounding of ten products of size one
+      EXPECT_NEAR(area(surface), expected, 1e-14); // round-off errors of ten products of order one
     }
 }
 
 TEST(Triangulate, polygon_with_n_corners_has_n_minus_2_triangles)
 {
-  // Polygons that cross themselves, that are flat or in one point, too.
+  // Self-intersecting, degenerate and single-point polygons are also accepted.
   std::mt19937 random(7);
   for(int round = 0; round < 200; ++round)
   {
@@ -164,7 +164,7 @@ TEST(Orient, cuts_moebius_strip)
     }
   for(std::uint32_t i = 0; i < n; ++i)
   {
-    // The ends meet upside down.
+    // The ends are joined with opposite orientations.
     const std::uint32_t a = 2 * i, b = a + 1, c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? a + 3 : 0;
     faces.push_back({a, c, b});
     faces.push_back({b, c, d});
@@ -179,7 +179,7 @@ TEST(Orient, cuts_moebius_strip)
 
 TEST(Make_mesh, keeps_nonmanifold_vertices)
 {
-  // Two triangles that touch in a corner, and a third at the other end.
+  // Three triangles that share a vertex.
   const Surface surface = program::repair(
       soup({{0, 0, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {0, 2, 0}, {1, 3, 0}},
            {{0, 2, 1}, {0, 4, 3}, {0, 5, 6}}),
@@ -229,7 +229,7 @@ TEST(Make_mesh, is_valid_for_random_triangles)
   }
 }
 
-// Points of a sphere around a place, in a spiral.
+// Returns points of a sphere around (offset, offset, offset), along a spiral.
 std::vector<Point> sphere(std::size_t n, double radius, double offset)
 {
   std::vector<Point> points;
@@ -249,11 +249,11 @@ TEST(Complete_normals, point_outwards_on_sphere_at_any_scale)
   {
     Surface_file cloud;
     cloud.points = sphere(500, scale, 0.);
-    EXPECT_FALSE(program::complete_normals(cloud)); // nothing given was replaced
+    EXPECT_FALSE(program::complete_normals(cloud)); // given normals are preserved
     for(std::size_t i = 0; i < cloud.points.size(); ++i)
     {
       const Point &p = cloud.points[i], &n = cloud.normals[i];
-      // 500 points are 0.16 apart: planes through 16 of them lean by less than a tenth
+      // 500 points are 0.16 apart; planes through 16 of them deviate by less than 0.1
       EXPECT_GT((p[0] * n[0] + p[1] * n[1] + p[2] * n[2]) / scale, 0.99);
     }
   }

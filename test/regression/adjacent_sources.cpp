@@ -9,7 +9,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// Three and more sources, some of them neighbours, one of them twice.
+// Sets of at least three sources. Some sources are adjacent, and one set contains a source twice.
 const std::vector<std::vector<Index>> source_sets = {
     {0, 1, 2}, {70, 71, 84, 85}, {70, 70, 71}, {0, 12, 168, 156, 84}, {3, 4, 5, 6, 7, 8}};
 
@@ -30,7 +30,7 @@ TEST(Adjacent_sources, label_their_own_voronoi_cells)
       double expected = internal::infinity;
       for(const Index source : source_set)
         expected = std::min(expected, distance(plane.points[i], plane.points[source]));
-      // Along the borders of cells a part of a side is lost.
+      // At cell boundaries, the error is a fraction of an edge length.
       EXPECT_NEAR(d[i], expected, 0.25 / 12.);
       const Index nearest = front.source(surface.vertex(i));
       ASSERT_LT(nearest, source_set.size());
@@ -56,8 +56,9 @@ TEST(Adjacent_sources, distance_is_minimum_over_single_sources)
         for(Index i = 0; i < surface.size(); ++i)
           min_over_single_sources[i] = std::min(min_over_single_sources[i], d[i]);
       }
-      // Where two fronts meet, a triangle is passed by neither: the loss is a part of a side (0.3)
-      // for planar fronts, and less for Euclidean ones, which know where they come from.
+      // Neither of two meeting fronts crosses the triangle between them. The error is a fraction
+      // of the edge length 0.3 for planar fronts. It is smaller for Euclidean fronts, which know
+      // their origin.
       const double error = method == Method::dijkstra        ? rounding
                            : method == Method::fast_marching ? 0.1
                                                              : 0.05;
@@ -72,7 +73,7 @@ TEST(Adjacent_sources, distance_is_minimum_over_single_sources)
 
 TEST(Adjacent_sources, have_small_distance_with_heat_method)
 {
-  // A site and its ring.
+  // A vertex and its one-ring.
   const Triangulation sphere = icosphere(3);
   const Array_surface surface(sphere);
   std::vector<internal::Front_source> sources;
@@ -82,7 +83,8 @@ TEST(Adjacent_sources, have_small_distance_with_heat_method)
   ASSERT_EQ(sources.size(), 7u);
   const auto heat = distances(surface, Method::heat, sources);
   const auto front = distances(surface, Method::euclidean_front, sources);
-  // The mean over the sources is right, each one and what is far away by less than a side (0.14).
+  // The mean over the sources is accurate. At single sources and far away, the error is less than
+  // the edge length 0.14.
   for(Index i = 0; i < surface.size(); ++i)
     EXPECT_NEAR(heat[i], front[i], 0.1);
 }

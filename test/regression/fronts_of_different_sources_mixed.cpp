@@ -11,7 +11,8 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// Two fronts that arrive at two corners of a triangle must not be read as one that passes it.
+// Two fronts that arrive at two corners of a triangle must not be combined into one front that
+// crosses it.
 
 //        2
 //       / \.
@@ -27,7 +28,7 @@ TEST(Fronts_of_different_sources, are_not_combined_into_one_front)
     const auto from_both_points =
         distances(surface, method, {surface.source(0), surface.source(1, 0., 1)});
     EXPECT_NEAR(from_both_points[2], edge_length, rounding) << method;
-    // A common edge is a line, whose points are all sources.
+    // An edge as a line source: all of its points are sources.
     if(method == Method::dijkstra)
       continue;
     EXPECT_NEAR(distances(surface, method, {surface.line({0, 1})})[2], height, rounding) << method;
@@ -36,8 +37,8 @@ TEST(Fronts_of_different_sources, are_not_combined_into_one_front)
 
 TEST(Fronts_of_different_sources, are_not_shorter_than_nearest_source)
 {
-  // Where fronts of two sources meet in the plane, mixing them is too short by up to the sagitta of
-  // a side; each on its own is never too short.
+  // In the plane, combining the fronts of two sources makes distances too short, by up to the
+  // sagitta of an edge. A single front never makes them too short.
   const Triangulation plane = square(24, 0.24, 2);
   const Array_surface surface(plane);
   for(const auto& [a, b] : {std::pair<Index, Index>(0, 24), {300, 310}, {300, 301}, {12, 612}})
@@ -50,11 +51,12 @@ TEST(Fronts_of_different_sources, are_not_shorter_than_nearest_source)
       {
         const double expected = std::min(distance(plane.points[i], plane.points[a]),
                                          distance(plane.points[i], plane.points[b]));
-        // A Euclidean front fits circles to distances of its own, of which one may have lost a part of
-        // a side where the fronts meet.
+        // A Euclidean front fits circles to its own distances. If one of them is too long by a
+        // fraction of an edge length, the fit errs near the meeting of fronts.
         const double undercut = method == Method::euclidean_front ? 0.02 / 24. : front_tolerance;
         EXPECT_GE(both[i], expected - undercut) << method;
-        // A triangle where they meet is passed by neither front: there a part of a side is lost.
+        // Neither of two meeting fronts crosses the triangle between them. The error is a fraction
+        // of an edge length.
         const double error = method == Method::dijkstra ? rounding : 0.5 / 24.;
         EXPECT_NEAR(both[i], std::min(first[i], second[i]), error) << method;
       }
@@ -63,7 +65,7 @@ TEST(Fronts_of_different_sources, are_not_shorter_than_nearest_source)
 
 TEST(Fronts_of_different_sources, are_separated_between_two_lines)
 {
-  // Two lines from one point: between them the distance is to the nearer one.
+  // Two lines from one point. Between them, the distance is to the closer line.
   const Index n = 20;
   const Triangulation plane = square(n);
   const Array_surface surface(plane);
@@ -76,7 +78,7 @@ TEST(Fronts_of_different_sources, are_separated_between_two_lines)
   for(const Method method : {Method::fast_marching, Method::euclidean_front})
   {
     const auto d = distances(surface, method, {surface.line(along_x), surface.line(along_y)});
-    // Both waves are plane, and the grid has their bisector among its edges.
+    // Both fronts are straight, and their bisector consists of edges of the grid.
     EXPECT_LT(
         largest_error(d, [&](Index i) { return std::min(plane.points[i][0], plane.points[i][1]); }),
         front_tolerance)

@@ -9,7 +9,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// Heat falls by a factor of e with each side and underflows some 700 sides from its source.
+// Heat decreases by a factor of e per edge. It underflows about 700 edges away from its source.
 TEST(Heat_far_field, is_accurate_at_2000_edge_lengths)
 {
   const Index columns = 2000, rows = 4;
@@ -30,9 +30,10 @@ TEST(Heat_far_field, is_accurate_at_2000_edge_lengths)
       ASSERT_TRUE(d[i] >= 0. && d[i] < internal::infinity) << method;
       if(expected(i) < 300.)
         continue;
-      // Far away everything is a wave along the strip: heat loses its first few sides, and what is
-      // known of first-order fronts on flat meshes is a percent; chains of edges zigzag.  Beyond 250
-      // sides a Euclidean front can hardly tell its circle from a line: a tenth of a side.
+      // Far away, the front is a straight wave along the strip. Heat loses the first few edges,
+      // first-order fronts err by 1 % on flat meshes, and edge chains zigzag. Beyond 250 edges, a
+      // Euclidean front hardly distinguishes its circle from a line, which costs a tenth of an
+      // edge.
       const double error = method == Method::euclidean_front ? 3e-4
                            : method == Method::dijkstra      ? 0.05
                                                              : 0.01;

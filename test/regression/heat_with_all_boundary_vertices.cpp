@@ -11,8 +11,8 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// With all border vertices of a flat mesh as sources a heat method that mishandles many sources
-// reads about half of the distance in the first rings.
+// All boundary vertices of a flat mesh are sources. A heat method that mishandles many sources
+// returns about half of the distance in the first rings.
 class Heat_with_all_boundary_vertices : public testing::Test
 {
 protected:
@@ -49,17 +49,17 @@ TEST_F(Heat_with_all_boundary_vertices, euclidean_front_is_accurate)
 {
   const auto d = distances(surface, Method::euclidean_front, sources());
   const auto expected = euclidean_distances();
-  // A front spreads through the sites that are its own: along the borders of cells, a part of a side
-  // is lost, and nearly nothing in the mean.
+  // A front propagates only through vertices of its own cell. At cell boundaries, the error is a
+  // fraction of an edge length. The mean error is nearly zero.
   EXPECT_LT(largest_error(d, [&](Index i) { return expected[i]; }), 0.5 / n);
   EXPECT_LT(mean_relative_error(d, 1. / n, [&](Index i) { return expected[i]; }), 3e-3);
 }
 
 TEST_F(Heat_with_all_boundary_vertices, distance_is_at_least_euclidean)
 {
-  // Fronts of one source each interpolate a convex function: too far, never too near.  A Euclidean one
-  // also fits a circle to two distances, of which one may have lost a part of a side along the border
-  // of a cell.
+  // The front of a single source interpolates a convex function, so distances are never too short.
+  // A Euclidean front also fits a circle to two distances. At cell boundaries, one of them may be
+  // too long by a fraction of an edge length.
   const auto expected = euclidean_distances();
   for(const Method method : fronts)
   {
@@ -86,9 +86,8 @@ TEST_F(Heat_with_all_boundary_vertices, mean_is_accurate_near_boundary)
         ++number_of_vertices;
       }
     ASSERT_GT(number_of_vertices, 100u);
-    // Chains of edges are 10 percent too long on such a mesh, planar fronts of point sources a few
-    // percent in the first rings, heat errs by as much; Euclidean ones lose a little along the
-    // borders of cells.
+    // On such a mesh, edge chains are 10 % too long. Planar fronts of point sources and heat err
+    // by a few percent in the first rings. Euclidean fronts lose a little at cell boundaries.
     const double error = method == Method::euclidean_front ? 1e-3
                          : method == Method::dijkstra      ? 0.12
                                                            : 0.06;
@@ -114,13 +113,13 @@ TEST_F(Heat_with_all_boundary_vertices, polyline_source_gives_straight_fronts)
     return std::min({p[0], p[1], 1. - p[0], 1. - p[1]});
   };
   const std::vector<internal::Front_source> line = {surface.line(boundary_loop)};
-  // Exact but along the bisectors of the corners, where the sides around a site hand on two waves as
-  // one: a part of a side.
+  // Exact except along the bisectors of the corners. There, the edges around a vertex propagate
+  // two waves as one, which costs a fraction of an edge length.
   EXPECT_LT(
       largest_error(distances(surface, Method::euclidean_front, line), distance_to_square_boundary),
       0.25 / n);
-  // A planar front from a straight line is exact but where two sides of the square meet: there it
-  // errs by a part of a side.
+  // A planar front from a straight line is exact. Close to the bisectors of two sides of the
+  // square, it errs by a fraction of an edge length.
   EXPECT_LT(
       largest_error(distances(surface, Method::fast_marching, line), distance_to_square_boundary),
       0.5 / n);

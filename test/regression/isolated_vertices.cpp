@@ -9,7 +9,8 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// Two components and a vertex in no triangle, at the front, in the middle and at the end.
+// Returns two components and three isolated vertices: with the first index, between the
+// components, and with the last index.
 Triangulation mesh_with_isolated_vertices(Index& first, Index& middle, Index& last)
 {
   Triangulation result;
@@ -20,7 +21,7 @@ Triangulation mesh_with_isolated_vertices(Index& first, Index& middle, Index& la
   result.points.push_back({6., 5., 5.});
   result = disjoint_union(result, square(4, 0.2));
   last = Index(result.points.size());
-  result.points.push_back({6., 5., 5.}); // a duplicate of the one in the middle
+  result.points.push_back({6., 5., 5.}); // a duplicate of the second isolated vertex
   return result;
 }
 
@@ -63,7 +64,8 @@ TEST(Isolated_vertices, do_not_affect_other_sources)
     for(Index i = 0; i < surface.size(); ++i)
     {
       const double expected = i == first ? 0. : std::min(one[i], other[i]);
-      // Apart from infinity; a solve rounds with all of its right side.
+      // Infinity must match exactly. A linear solve has round-off errors that depend on its whole
+      // right-hand side.
       EXPECT_TRUE(all[i] == expected || std::abs(all[i] - expected) < 1e-9) << method;
     }
     EXPECT_EQ(all[middle], internal::infinity);

@@ -9,7 +9,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// The maximum distance bounds what is visited, not only what is written.
+// The maximum distance bounds the visited vertices, not only the written ones.
 TEST(Maximum_distance, bounds_reached_vertices)
 {
   const Index n = 100;
@@ -29,7 +29,7 @@ TEST(Maximum_distance, bounds_reached_vertices)
       std::size_t number_inside = 0;
       for(const double d : all)
         number_inside += d <= maximum;
-      // What the bounded front did not correct, the full one may have, by rounding.
+      // The full front may correct a distance by round-off errors that the bounded front leaves.
       EXPECT_NEAR(double(front.reached().size()), double(number_inside), 1.)
           << method << ' ' << maximum;
       for(const Index vertex : front.reached())
@@ -40,7 +40,8 @@ TEST(Maximum_distance, bounds_reached_vertices)
 
 TEST(Maximum_distance, bounds_number_of_callbacks)
 {
-  // A front that went on beyond would call again and again: a call for some thousand sites.
+  // The callback is called once per some thousand vertices. A front that ignored the limit would
+  // call it much more often.
   const Array_surface surface(square(300));
   internal::Front front(surface.triangles(), internal::Front_kind::euclidean);
   const auto calls = [&](double maximum)
@@ -56,7 +57,7 @@ TEST(Maximum_distance, bounds_number_of_callbacks)
     front.run({surface.source(150 * 301 + 150)}, limits);
     return result;
   };
-  // A disk of radius 0.05 holds 0.8 percent of the square.
+  // A disk of radius 0.05 covers 0.8 % of the square.
   EXPECT_LT(10 * calls(0.05), calls(2.));
 }
 

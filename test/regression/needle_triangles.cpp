@@ -12,7 +12,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// Every other column of the square is `width` of a column wide.
+// Returns a square. Every other column is `width` times as wide as the remaining columns.
 Triangulation square_with_needles(double width)
 {
   const Index n = 16;
@@ -38,8 +38,8 @@ TEST(Needle_triangles, distances_are_finite)
         for(Index i = 0; i < surface.size(); ++i)
         {
           ASSERT_TRUE(d[i] >= 0. && d[i] < internal::infinity) << method << ' ' << width;
-          // Nothing is nearer than in space, but for what heat smooths and angles near a straight one
-          // cost.
+          // Distances are at least Euclidean. Exceptions are the smoothing of heat and errors due
+          // to angles close to 180 degrees.
           const double euclidean = distance(shape.points[i], shape.points[source]);
           const double min_ratio = method == Method::heat ? 0.5 : 0.99;
           EXPECT_GE(d[i], min_ratio * euclidean - front_tolerance) << method << ' ' << width;
@@ -57,7 +57,7 @@ TEST(Needle_triangles, keep_euclidean_front_exact)
     for(const Index source : {0u, 8u, 140u, 288u})
     {
       const auto d = distances(surface, Method::euclidean_front, {surface.source(source)});
-      // Needles of no width are taken for some that are 1.5e-11 wide, eight of them in a row.
+      // Needles of zero width are treated as 1.5e-11 wide. Eight of them lie in a row.
       EXPECT_LT(largest_error(d, [&](Index i)
                               { return distance(shape.points[i], shape.points[source]); }),
                 1e-9)
@@ -81,7 +81,8 @@ TEST(Needle_triangles, paths_are_straight)
       const auto geodesic = path(t, front, sources, surface.at(from));
       ASSERT_FALSE(geodesic.empty());
       const double length = surface.scale() * internal::path_length(t, geodesic);
-      // In the plane a locally shortest path is straight; corners that gain less than rounding stay.
+      // In the plane, a locally shortest path is straight. Corners remain if straightening gains
+      // less than round-off errors.
       EXPECT_NEAR(length, distance(shape.points[from], shape.points[0]), 1e-6) << width;
     }
   }
@@ -89,7 +90,7 @@ TEST(Needle_triangles, paths_are_straight)
 
 TEST(Needle_triangles, are_accepted_without_other_triangles)
 {
-  // All points on a line, and all at one point.
+  // All points lie on a line, or coincide.
   for(const double length : {1., 0.})
   {
     Triangulation shape = square(4);

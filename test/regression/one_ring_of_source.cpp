@@ -9,7 +9,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// A neighbour of the source is as far as their edge is long, not nearer and not NaN.
+// The distance of a vertex adjacent to the source is the edge length, not less and not NaN.
 void expect_edge_lengths(const Triangulation& shape)
 {
   const Array_surface surface(shape);

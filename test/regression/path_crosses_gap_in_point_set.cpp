@@ -15,7 +15,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// Uniform samples of a part of the square from -1 to 1.
+// Returns uniform random samples of a subset of the square [-1, 1]^2.
 template <typename IsInside>
 std::vector<Point> random_samples(std::size_t number, unsigned seed, const IsInside& is_inside)
 {
@@ -31,8 +31,9 @@ std::vector<Point> random_samples(std::size_t number, unsigned seed, const IsIns
   return result;
 }
 
-// Every point of a path lies near a surfel: at borders and holes it does not cut across.  Triangles have
-// circumradii of up to 2.5 radii, which is how far apart samples at random are in places.
+// Checks that every path point lies close to a surfel, so paths do not cross gaps at boundaries
+// and holes. Triangles have circumradii of at most 2.5 surfel radii, which is the largest local
+// spacing of random samples.
 template <typename IsInside>
 void expect_paths_inside_disks(const IsInside& is_inside)
 {
@@ -72,7 +73,7 @@ void expect_paths_inside_disks(const IsInside& is_inside)
       }
     }
   }
-  EXPECT_GT(number_of_paths, 40u); // samples at random hang together but for a few
+  EXPECT_GT(number_of_paths, 40u); // random samples are connected except for a few
 }
 
 TEST(Path_on_point_set, does_not_cross_hole)
@@ -87,7 +88,8 @@ TEST(Path_on_point_set, does_not_cross_notch)
 
 TEST(Path_on_point_set, does_not_cross_thin_slit)
 {
-  // Its middle is just beyond 2.5 radii (0.09, and more along borders) of all surfels.
+  // The center line of the slit is slightly farther than 2.5 radii from all surfels. A radius is
+  // 0.09, and more along boundaries.
   expect_paths_inside_disks([](const Point& p) { return p[1] < 0. || std::abs(p[0]) > 0.12; });
 }
 

@@ -14,7 +14,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// A plate of cubes with two holes, whose edges, diagonals and corners lie on straight lines.
+// A plate of cubes with two holes. Its edges, diagonals and corners lie on common straight lines.
 TEST(Path_through_saddle_vertices, is_found)
 {
   const Array_surface surface(double_torus(3));

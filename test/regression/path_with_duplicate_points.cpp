@@ -10,7 +10,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// No path is empty, has a point twice in a row, or leaves the triangles that it names.
+// Checks that no path is empty, repeats a point, or leaves the triangles of its locations.
 void expect_no_duplicate_points(const Triangulation& shape)
 {
   const Array_surface surface(shape);

@@ -24,7 +24,7 @@ void expect_independent_queries(const Array_surface& surface, Engine engine)
     fresh.run({surface.source(source)});
     engine.run({surface.source(source)});
     EXPECT_EQ(surface.distances(engine), surface.distances(fresh));
-    // Heat is right in the mean over its sources, here of one.
+    // Heat is accurate in the mean over its sources. Here, there is one source.
     EXPECT_NEAR(engine.distance(surface.vertex(source)), 0., rounding);
     for(Index i = 0; i < surface.size(); ++i)
     {
@@ -59,7 +59,8 @@ TEST(Repeated_queries, paths_are_independent_of_previous_queries)
   }
 }
 
-// From each corner of a regular solid the same distances are found, if not at the same points.
+// Checks that all corners of a regular solid have the same sorted distances, possibly at other
+// vertices.
 void expect_symmetry(const Triangulation& shape, Index number_of_corners, double tolerance)
 {
   const Array_surface surface(shape);
@@ -81,7 +82,7 @@ void expect_symmetry(const Triangulation& shape, Index number_of_corners, double
 
 TEST(Repeated_queries, distances_are_symmetric_on_tetrahedron)
 {
-  expect_symmetry(tetrahedron(), 4, 1e-9); // a solve's rounding
+  expect_symmetry(tetrahedron(), 4, 1e-9); // round-off error of a solve
 }
 
 TEST(Repeated_queries, distances_are_symmetric_on_icosahedron)
@@ -91,8 +92,8 @@ TEST(Repeated_queries, distances_are_symmetric_on_icosahedron)
 
 TEST(Repeated_queries, distances_are_symmetric_on_icosphere)
 {
-  // Which of two equal ways comes first depends on rounding, and what the front knows of its
-  // direction on it: by what it errs by behind many such meetings (a tenth of a side, 0.14).
+  // Round-off errors decide which of two equally short paths arrives first, and thus the front's
+  // direction. After many such meetings, the error is a tenth of the edge length 0.14.
   expect_symmetry(icosphere(3), 12, 0.014);
 }
 

@@ -72,8 +72,8 @@ TEST(Source_inside_a_face, distance_is_continuous_towards_corner)
       const auto from_vertex =
           distances(surface, method, {surface.source(surface.caller_vertex(corner))});
       const auto from_face = distances(surface, method, {surface.source(location)});
-      // Starting from a face or from a site is not the same triangulation: a planar front has been
-      // around the site without an error, one of a face has not.
+      // A front from a face crosses other triangles than one from a vertex. Around a source
+      // vertex, a planar front is exact; around a location in a face, it is not.
       const double error = method == Method::euclidean_front ? 1e-3
                            : method == Method::dijkstra      ? 2. * fraction + rounding
                                                              : 0.05;

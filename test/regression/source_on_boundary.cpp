@@ -35,7 +35,7 @@ TEST(Source_on_boundary, distance_is_exact_on_flat_square)
 
 TEST(Source_on_boundary, distance_is_symmetric)
 {
-  // Around the hole of a ring, where many pairs do not see each other.
+  // Around the hole of an annulus, where many pairs are not connected by a straight line.
   const Triangulation annulus_mesh = annulus(36, 8, 1., 2.);
   const Array_surface surface(annulus_mesh);
   const double edge_length = 2. * pi * 2. / 36.;
@@ -47,8 +47,8 @@ TEST(Source_on_boundary, distance_is_symmetric)
     for(std::size_t a = 0; a < d.size(); ++a)
       for(std::size_t b = 0; b < a; ++b)
       {
-        // Each of the two may err: planar fronts by first order in the side, Euclidean ones by a part of
-        // a side behind the hole.
+        // Both distances may err. Planar fronts have first-order errors in the edge length. Behind
+        // the hole, Euclidean fronts err by a fraction of it.
         const double error = method == Method::dijkstra        ? rounding
                              : method == Method::fast_marching ? 0.5 * edge_length
                                                                : 0.2 * edge_length;
@@ -66,7 +66,7 @@ TEST(Source_on_boundary, paths_follow_boundary)
   const std::vector<internal::Front_source> sources = {surface.source(0)};
   internal::Front front(surface.triangles(), internal::Front_kind::euclidean);
   front.run(sources);
-  const Surface_location end = surface.at(n); // the other end of the side
+  const Surface_location end = surface.at(n); // the other end of this side of the square
   const auto path_along_boundary = path(t, front, sources, end);
   expect_path_on_surface(t, path_along_boundary, end, surface.at(0));
   EXPECT_NEAR(surface.scale() * internal::path_length(t, path_along_boundary), 1., rounding);

@@ -10,7 +10,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-// Coordinates in multiples of 2^-20 stay what they are under a translation by up to 2^32.
+// Rounds coordinates to multiples of 2^-20. A translation by up to 2^32 does not change them.
 Triangulation rounded_to_dyadic(Triangulation surface)
 {
   for(Point& p : surface.points)
@@ -43,7 +43,7 @@ TEST(Translation_and_scale_invariance, distances_are_translation_invariant)
         EXPECT_LT(
             largest_error(distances(translated_surface, method, {translated_surface.source(100)}),
                           [&](Index i) { return expected[i]; }),
-            // Lengths are the same to the bit; a solve may sum in another order.
+            // Lengths are bitwise equal. A solve may use another order of summation.
             method == Method::heat ? 1e-9 : rounding)
             << method;
       }
@@ -86,7 +86,7 @@ TEST(Translation_and_scale_invariance, distances_are_scale_invariant)
       const auto d = distances(other, method, {other.source(7)});
       for(Index i = 0; i < d.size(); ++i)
         EXPECT_EQ(std::ldexp(d[i], -exponent), expected[i])
-            << method; // a power of two: no rounding
+            << method; // scaling by a power of two is exact
     }
   }
 }

@@ -47,7 +47,7 @@ TEST(Two_triangles, distances_are_exact_on_thin_triangles)
 
 TEST(Two_triangles, are_unfolded_across_shared_edge)
 {
-  // Folded by a right angle; corner 3 unfolds to (0.5, -1).
+  // Folded by a right angle. Unfolding maps corner 3 to (0.5, -1).
   const Triangulation folded = {{{0., 0., 0.}, {1., 0., 0.}, {0.5, 1., 0.}, {0.5, 0., 1.}},
                                 {0, 1, 2, 1, 0, 3}};
   const Array_surface surface(folded);
@@ -56,7 +56,7 @@ TEST(Two_triangles, are_unfolded_across_shared_edge)
     const auto d = distances(surface, method, {surface.source(2)});
     EXPECT_NEAR(d[0], std::hypot(0.5, 1.), rounding) << method;
     EXPECT_NEAR(d[1], std::hypot(0.5, 1.), rounding) << method;
-    // A first-order front takes the shared side to be all as far as its ends.
+    // A first-order front assumes that all points of the shared edge are as far as its ends.
     EXPECT_NEAR(d[3], method == Method::euclidean_front ? 2. : std::hypot(0.5, 1.) + 1., rounding)
         << method;
   }
