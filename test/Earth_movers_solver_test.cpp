@@ -124,7 +124,7 @@ TEST(Earth_movers_solver, works_on_clouds)
     EXPECT_EQ(other.compute(index(7), index(to)).value, value);
   }
 
-  // The flow is tangential to the surface, and exceeds one near the ends, where it is concentrated.
+  // The flow is tangential to the surface. It is concentrated near the ends and exceeds one there.
   std::vector<Vector_3> flow(surfels.size());
   std::vector<double> potential(surfels.size());
   solver.compute(std::size_t(7), std::size_t(2000));

@@ -197,7 +197,7 @@ TEST(Region_transport_solver, accepts_locations_in_faces)
   const double nearest = std::min(to_left, to_right), farthest = std::max(to_left, to_right);
   const double exact = to_left < to_right ? 0.25 * nearest + 0.75 * farthest : nearest;
   EXPECT_NEAR(with_capacities.compute(from).value, exact,
-              0.03); // a fraction of an edge length where flows separate
+              0.03); // a fraction of an edge length at the separation of flows
   // Streamlines end at the location.
   const GP::Streamline<Mesh> line = one.streamlines()(from);
   ASSERT_FALSE(line.empty());

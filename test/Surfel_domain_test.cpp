@@ -79,7 +79,7 @@ TEST(Surfel_domain, skips_removed_points)
 
 TEST(Surfel_domain, reads_named_property_maps)
 {
-  // Separate points and normals of an exact kernel, with radii too small for any triangle.
+  // Separate points and normals of an exact kernel, with radii too small to connect surfels.
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   std::vector<Exact::Point_3> points;
   std::vector<Exact::Vector_3> normals(30 * 30, Exact::Vector_3(0, 0, 5));

@@ -51,7 +51,7 @@ void expect_consistent_metric(const Domain& domain,
             metric.cost(locations[i], locations[j], GP::parameters::tolerance(tolerance));
         EXPECT_TRUE(cost.converged);
         EXPECT_LE(cost.upper - cost.lower, tolerance * cost.upper);
-        EXPECT_LT(cost.residual, 1e-9); // of some hundred unknowns
+        EXPECT_LT(cost.residual, 1e-9); // round-off errors with some hundred unknowns
         EXPECT_EQ(metric.distance(locations[i], locations[j], tolerance), cost.value);
         EXPECT_EQ(metric.distance(locations[j], locations[i], tolerance), cost.value);
         EXPECT_EQ(i == j, cost.upper == 0.);

@@ -93,8 +93,8 @@ TEST(Farthest_point_sampling, stops_at_covering_radius)
       GP::parameters::covering_radius(0.15).covering_radius_output(std::back_inserter(radii)));
   EXPECT_LE(radii.back(), 0.15);
   EXPECT_GT(radii[radii.size() - 2], 0.15);
-  // Disks of radius r / 2 do not overlap, and disks of radius r cover the square. This bounds
-  // their number by 1 / (pi r^2) and by the area of the square enlarged by r / 2 on each side.
+  // Disks of radius r / 2 do not overlap, and disks of radius r cover the square. Their number is
+  // at least 1 / (pi r^2). Widening the square by r / 2 on each side yields the upper bound.
   EXPECT_GT(samples.size(), 1. / (pi * 0.15 * 0.15));
   EXPECT_LT(samples.size(), 1.15 * 1.15 / (pi * 0.075 * 0.075));
 }

@@ -66,7 +66,7 @@ TEST(Geodesic_distances, accept_all_kinds_of_sources)
            [&](Index i) { return 0.25 + to_p(i); });
   }
   const std::vector<Vertex> corners = {Vertex(0), Vertex(440)};
-  // In a triangle where both fronts meet, each may have to follow an edge of length 1/20.
+  // In a triangle in which both fronts meet, each may have to follow an edge of length 1/20.
   EXPECT_LT(largest_error(distances_from(mesh, corners),
                           [&](Index i) { return std::min(to(0)(i), to(440)(i)); }),
             0.5 / 20.);

@@ -56,7 +56,7 @@ TEST(geodesic_lle, is_isometric_on_square_at_all_scales)
           max_error,
           std::abs(uv_distance(uv[v], uv[Vertex(37)]) -
                    std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(Vertex(37))))));
-    EXPECT_LT(max_error, 1e-4 * scale); // fronts are not exact where they end
+    EXPECT_LT(max_error, 1e-4 * scale); // fronts are not exact at their limit
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
   }
 }
@@ -139,8 +139,8 @@ TEST(geodesic_lle, connects_groups_of_base_points)
   add(27, 27);
   const auto flatten = [&](std::size_t neighbors)
   { GP::geodesic_lle(mesh, uv, GP::parameters::base_points(base).number_of_neighbors(neighbors)); };
-  // The three nearest neighbors are in the same corner. The fourth base point of that corner has a
-  // known distance.
+  // The three nearest base points are in the same corner. The fourth nearest one is also known
+  // and connects both corners.
   flatten(3);
   double max_error = 0.;
   for(const Vertex v : base)
@@ -150,7 +150,7 @@ TEST(geodesic_lle, connects_groups_of_base_points)
                               std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)))));
   // The rigid fit stops before the few long-range links are satisfied exactly.
   EXPECT_LT(max_error, 0.02);
-  // With more base points per corner, only distances within a corner are known.
+  // With eight base points per corner, all four known neighbors are in the same corner.
   add(0, 6);
   add(27, 21);
   EXPECT_THROW(flatten(3), GP::Invalid_argument_error);
@@ -230,7 +230,7 @@ void expect_same(const Triangulation& surface, const Mesh& mesh, const std::vect
   for(const Vertex v : mesh.vertices())
     // The embedding of a square may be rotated, because its two eigenvectors share one eigenvalue.
     EXPECT_NEAR(uv_distance(get(uv, other.vertices[v]), get(uv, other.vertices[0])),
-                uv_distance(expected[v], expected[0]), 1e-4); // fronts are not exact where they end
+                uv_distance(expected[v], expected[0]), 1e-4); // fronts are not exact at their limit
 }
 
 TEST(geodesic_lle, is_independent_of_mesh_type)

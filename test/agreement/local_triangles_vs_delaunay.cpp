@@ -14,7 +14,7 @@
 #include <set>
 
 // The local triangles of surfels in a plane equal the Delaunay triangles of all points. Only
-// triangles that are too large, near the boundary, are missing.
+// triangles near the boundary with large circumradii are missing.
 
 namespace CGAL::Geodesic_processing::internal {
 namespace {

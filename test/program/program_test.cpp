@@ -556,7 +556,7 @@ TEST_F(Program, plan_transports_to_a_region)
   const nlohmann::json halves = json("plan p.ply --from 45 --to arrivals --capacity arrivals");
   const double to_both = 0.5 * (std::hypot(1., 0.625) + std::hypot(1., 0.375));
   EXPECT_NEAR(halves["value"].get<double>(), to_both,
-              0.02); // a fraction of an edge length where the flow splits
+              0.02); // a fraction of an edge length at the split of the flow
   const nlohmann::json even = json("plan square.ply --from 45 --to 8,80 --spread 100");
   EXPECT_NEAR(even["arrivals"][0].get<double>(), 0.5, 0.01);
   // To a polyline from the corner (0, 0) to (1, 0.5), and to a location in a face.
