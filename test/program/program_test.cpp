@@ -573,7 +573,7 @@ TEST_F(Program, plan_transports_to_a_region)
   expect_failure("plan square.ply --from 45 --to 8 --to-path 0,80 --capacity 0.7", 1, "paths");
   expect_failure("plan p.ply --from 45 --to-path 0,80 --capacity arrivals", 1, "--to-path");
   expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.7", 1, "2 vertices");
-  expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.3,0.6", 2, "room");
+  expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.3,0.6", 2, "capacity");
   expect_failure("plan square.ply --from 45 --to 8,80 --capacity none", 2, "none");
   expect_failure("plan square.ply --from 45 --to 8,80 --spread -1", 2, "spreading");
   expect_failure("plan square.ply --from 0", 1, "--to");
