@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_WAVELET_STREAM_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_WAVELET_STREAM_H
 
+#include <CGAL/Geodesic_processing/internal/core/export.h>
 #include <CGAL/Geodesic_processing/internal/subdivision/lifting.h>
 
 #include <cstddef>
@@ -29,7 +30,7 @@ struct Stream_header
 };
 
 // A position in a stream of bytes.
-struct Stream_reader
+struct CGAL_GEODESIC_PROCESSING_EXPORT Stream_reader
 {
   const std::uint8_t *next, *end;
 
@@ -49,23 +50,29 @@ struct Packet
 };
 
 // Returns the header with the magic number and a checksum (CRC-32).
+CGAL_GEODESIC_PROCESSING_EXPORT
 Bytes encode_header(const Stream_header& header);
 
 // Throws Invalid_argument_error if the header is truncated, damaged, or has values out of range.
+CGAL_GEODESIC_PROCESSING_EXPORT
 Stream_header read_header(Stream_reader& reader);
 
 // Appends the length of a packet, its checksum (CRC-32) and its bytes.
+CGAL_GEODESIC_PROCESSING_EXPORT
 void append_packet(Bytes& bytes, const Bytes& packet);
 
 // Reads the next packet, which can be truncated.
+CGAL_GEODESIC_PROCESSING_EXPORT
 Packet read_packet(Stream_reader& reader);
 
 // Encodes the vertices of all corners.  One bit states if a vertex is the next new one in the order
 // of the indices.  If it is not, the bits of its index follow.
+CGAL_GEODESIC_PROCESSING_EXPORT
 Bytes encode_triangles(const std::vector<Triangle>& triangles, std::size_t number_of_vertices);
 
 // Decodes the result of encode_triangles().  Vertices are not validated.
 // Throws Invalid_argument_error if the packet is damaged or incomplete.
+CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Triangle> decode_triangles(const Packet& packet, const Stream_header& header);
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_DELAUNAY_RINGS_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_DELAUNAY_RINGS_H
 
+#include <CGAL/Geodesic_processing/internal/core/export.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_neighbors.h>
@@ -43,6 +44,7 @@ struct Distinct_surfels
 // Returns for each surfel the other corners of its triangles, counterclockwise.  Consecutive
 // entries a, b stand for the triangle (surfel, a, b).  `none` separates two fans of triangles.  It
 // also terminates the last fan, unless the triangles surround the surfel.  O(n log n).
+CGAL_GEODESIC_PROCESSING_EXPORT
 Ragged_rows find_delaunay_rings(const Distinct_surfels& surfels, const Ragged_rows& neighbors,
                                 const std::vector<double>& search_radius,
                                 const std::vector<double>& radius);

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_TRANSPORT_ITERATION_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_TRANSPORT_ITERATION_H
 
+#include <CGAL/Geodesic_processing/internal/core/export.h>
 #include <CGAL/Geodesic_processing/internal/transport/Transport_solver.h>
 #include "transport/exits.h"
 
@@ -27,7 +28,7 @@ struct Transport_problem
 
 // An iterative method for a Transport_problem.  The base class keeps the best bounds of all
 // iterates.
-class Transport_iteration
+class CGAL_GEODESIC_PROCESSING_EXPORT Transport_iteration
 {
 public:
   explicit Transport_iteration(const Transport_problem& problem);
@@ -63,14 +64,17 @@ private:
 };
 
 // The interior point method that Transport_solver describes.  A step is a factorization.
+CGAL_GEODESIC_PROCESSING_EXPORT
 std::unique_ptr<Transport_iteration> interior_point(const Transport_problem& problem);
 
 // Iteratively reweighted least squares: each triangle is weighted by one over the length of its
 // vector in the previous iterate (Weiszfeld 1937; Solomon and others 2014, figure 4).  A step is
 // a factorization. The gap stalls at about one percent.
+CGAL_GEODESIC_PROCESSING_EXPORT
 std::unique_ptr<Transport_iteration> weiszfeld(const Transport_problem& problem);
 
 // Returns the method of the options, at its start.
+CGAL_GEODESIC_PROCESSING_EXPORT
 std::unique_ptr<Transport_iteration> make_iteration(const Transport_problem& problem,
                                                     const Transport_options& options);
 

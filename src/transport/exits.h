@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TRANSPORT_EXITS_H
 #define CGAL_GEODESIC_PROCESSING_TRANSPORT_EXITS_H
 
+#include <CGAL/Geodesic_processing/internal/core/export.h>
 #include <CGAL/Geodesic_processing/internal/transport/Transport_solver.h>
 
 #include <cstddef>
@@ -35,6 +36,7 @@ struct Exit_groups
 // masses      #vertices: target mass minus source mass, divided by moved_mass
 // moved_mass  the total mass that is moved; capacities and prices of `exits` are in this unit of
 //             mass
+CGAL_GEODESIC_PROCESSING_EXPORT
 Exit_groups group_exits(const std::vector<Exit>& exits, const std::vector<Index>& component,
                         const Vector& masses, double moved_mass);
 
@@ -48,9 +50,11 @@ struct Exit_cost
 // vertex v costs potential[v] per unit in addition to the price: the maximum of the dual function
 //   mu mass + sum of min over 0 <= x <= capacity of (price / 2 x^2 + (potential[v] - mu) x)
 // over the marginal cost mu, and the mu at which it is attained.  Bisection to machine precision.
+CGAL_GEODESIC_PROCESSING_EXPORT
 Exit_cost dual_exit_cost(const Exit_group& group, const Vector& potential);
 
 // Returns the marginal cost at the most expensive exit of a full group.
+CGAL_GEODESIC_PROCESSING_EXPORT
 double full_marginal_cost(const Exit_group& full, const Vector& potential);
 
 } // namespace CGAL::Geodesic_processing::internal
