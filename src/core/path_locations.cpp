@@ -52,7 +52,7 @@ Surface_location checked(const Surface_arrays& t, const Surface_location& locati
   for(const double b : location.barycentric)
   {
     if(!(b >= -1e-6))
-      throw Invalid_argument_error("A location is outside of its face.");
+      throw Invalid_argument_error("A location is outside its face.");
     sum += b;
   }
   if(!(std::abs(sum - 1.) <= 1e-6))

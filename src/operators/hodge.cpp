@@ -12,7 +12,7 @@ Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Oper
 {
   if(triangles.is_cloud())
     throw Unsupported_surface_error(
-        "The operators of edges need a mesh: a cloud has no halfedges with twins.");
+        "Edge operators need a mesh: a cloud has no halfedges with twins.");
   Operators result;
   result.area = operators.area;
   result.corner.resize(operators.corner.size());

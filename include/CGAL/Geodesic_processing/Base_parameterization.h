@@ -108,7 +108,7 @@ public:
     auto base = std::make_shared<internal::Base_mesh>(internal::build_base_mesh(
         m_domain.triangles(), internal::base_mesh_options(mesh, m_domain, number, np)));
     if(base->triangles.empty())
-      throw Invalid_argument_error("The mesh has no triangle, or the base was cancelled.");
+      throw Invalid_argument_error("The mesh has no triangles, or the computation was canceled.");
     m_map = std::make_shared<const internal::Base_map>(
         std::move(base),
         internal::parameter(np, internal_np::base_coordinates, Base_coordinates::heron));
@@ -130,7 +130,7 @@ public:
   Location base_vertex(std::size_t vertex) const
   {
     if(vertex >= number_of_base_vertices())
-      throw Invalid_argument_error("There is no base vertex of that number.");
+      throw Invalid_argument_error("The index of a base vertex is out of range.");
     return m_domain.outer(m_map->base().samples[vertex]);
   }
 
@@ -169,12 +169,12 @@ private:
   void check_face(std::size_t face) const
   {
     if(face >= number_of_base_faces())
-      throw Invalid_argument_error("There is no base face of that number.");
+      throw Invalid_argument_error("The index of a base face is out of range.");
   }
   Base_location locate(const internal::Surface_location& location) const
   {
     if(location.triangle == internal::none)
-      throw Invalid_argument_error("An isolated vertex has no place on a base mesh.");
+      throw Invalid_argument_error("An isolated vertex has no location on the base mesh.");
     const internal::Base_location found = (*m_map)(location);
     return {found.triangle, found.barycentric};
   }

@@ -117,7 +117,7 @@ public:
   Streamline_tracer<Surface> streamlines(const NamedParameters& np = NamedParameters()) const
   {
     if(m_result.flow.empty())
-      throw Invalid_argument_error("There are no streamlines before a flow is computed.");
+      throw Invalid_argument_error("Streamlines require a flow, but none was computed.");
     return {m_domain, *m_kernel, m_result,
             internal::parameter(np, internal_np::do_straighten, true)};
   }

@@ -55,7 +55,7 @@ template <typename Surface, typename Method = Euclidean_front>
 class Geodesic_distance_solver
 {
   static_assert(!internal::Is_cloud<Surface>::value || !std::is_same_v<Method, Exact>,
-                "Exact distances need a mesh; a surfel cloud has no edges to cross.");
+                "Exact distances need a mesh, because the triangles of a cloud are not connected.");
 
 public:
   using Domain = internal::Domain_of<Surface>;
@@ -180,7 +180,7 @@ public:
   std::vector<Surface_path<Surface>> shortest_paths(const QueryLocation& from,
                                                     double tolerance = 1e-9) const
   {
-    static_assert(std::is_same_v<Method, Exact>, "All shortest paths are known to Exact alone.");
+    static_assert(std::is_same_v<Method, Exact>, "shortest_paths() requires the method Exact.");
     const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
     std::vector<Surface_path<Surface>> result;
@@ -193,7 +193,7 @@ public:
   template <typename QueryLocation>
   Geodesic_departure<Surface> departure(const QueryLocation& to) const
   {
-    static_assert(std::is_same_v<Method, Exact>, "Departures are known to Exact alone.");
+    static_assert(std::is_same_v<Method, Exact>, "departure() requires the method Exact.");
     const internal::Departure found =
         m_engine.windows()->departure(internal::location(m_domain, to));
     Geodesic_departure<Surface> result;

@@ -158,7 +158,7 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
     read_faces.push_back(face);
   }
   if(read_faces.size() > (std::size_t(1) << 31) / 3)
-    throw Unsupported_surface_error("The mesh has more than 2^31 half-edges.");
+    throw Unsupported_surface_error("The mesh has more than 2^31 halfedges.");
   corners.reserve(3 * read_faces.size());
   twins.reserve(3 * read_faces.size());
   for(const Face read_face : read_faces)
@@ -226,19 +226,19 @@ internal::Surface_location Mesh_domain<TriangleMesh>::inner_vertex(Vertex v) con
     if(i < number_of_vertices() && vertex(i) == v)
       return {internal::none, i, {}};
   }
-  throw Invalid_argument_error("A vertex is none of the mesh's.");
+  throw Invalid_argument_error("A vertex does not belong to the mesh.");
 }
 
 template <typename TriangleMesh>
 internal::Surface_location Mesh_domain<TriangleMesh>::inner(const Location& location) const
 {
   if(location.first == Graph::null_face())
-    throw Invalid_argument_error("A location has no face.");
+    throw Invalid_argument_error("The face of a location is the null face.");
   const internal::Index f = m_data->faces.empty() || !is_within(location.first, m_data->face_range)
                                 ? internal::none
                                 : triangle(location.first);
   if(f >= m_data->faces.size() || face(f) != location.first)
-    throw Invalid_argument_error("A face is none of the mesh's.");
+    throw Invalid_argument_error("A face does not belong to the mesh.");
   return internal::checked(*m_triangles, {f, internal::none, location.second});
 }
 

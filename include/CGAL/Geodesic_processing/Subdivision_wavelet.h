@@ -186,7 +186,7 @@ private:
     if(details.number_of_channels != channels || channels == 0 ||
        details.values.size() != channels * m_vertices.size() ||
        (details.is_in_frames && channels != 3))
-      throw Invalid_argument_error("The details are of another mesh, or of other values.");
+      throw Invalid_argument_error("The details do not match the mesh or the value type.");
   }
 
   std::vector<Vertex> m_vertices;
@@ -238,8 +238,8 @@ Subdivision_wavelet<TriangleMesh>::Subdivision_wavelet(const TriangleMesh& mesh,
     throw Unsupported_surface_error(error.what());
   }
   if(hierarchy.subdivision->levels.size() < 2)
-    throw Unsupported_surface_error("The mesh has no coarser level: its triangles are not those of "
-                                    "larger ones, each cut into four.");
+    throw Unsupported_surface_error("The mesh has no coarser level: it is not the uniform (1-to-4) "
+                                    "refinement of another mesh.");
   for(const Index v : hierarchy.input_vertex)
     m_vertices.push_back(input_vertices[v]);
   const bool is_linear =

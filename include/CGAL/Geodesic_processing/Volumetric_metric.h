@@ -39,7 +39,7 @@ template <typename TriangleMesh>
 class Volumetric_metric
 {
   static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "A cloud encloses nothing: volumetric distances need a closed mesh.");
+                "Volumetric distances need a closed mesh, because a cloud encloses no volume.");
 
 public:
   using Domain = internal::Domain_of<TriangleMesh>;

@@ -52,7 +52,7 @@ std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_ma
                                     const NamedParameters& np = NamedParameters())
 {
   if(!is_triangle_mesh(mesh))
-    throw Unsupported_surface_error("A face is no triangle.");
+    throw Unsupported_surface_error("A face is not a triangle.");
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> all_faces;
   std::vector<internal::Vec2> coordinates;
   for(const auto face : faces(mesh))

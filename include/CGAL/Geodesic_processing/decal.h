@@ -166,7 +166,7 @@ Decal<Surface> Decal_placer<Surface, Method>::place(const Place& center, double 
   const internal::Vec2 half_size = {width / scale / 2., height / scale / 2.};
   if(!(half_size[0] > 0. && half_size[1] > 0. && std::isfinite(half_size[0]) &&
        std::isfinite(half_size[1])))
-    throw Invalid_argument_error("The width or the height of a decal is not positive and finite.");
+    throw Invalid_argument_error("The width and height of a decal must be positive and finite.");
   const auto coordinates = [&half_size](const internal::Vec2& uv) -> Decal_coordinates {
     return {0.5 + 0.5 * uv[0] / half_size[0], 0.5 + 0.5 * uv[1] / half_size[1]};
   };
@@ -277,7 +277,7 @@ Decal_texture<TriangleMesh> bake_decals(const std::vector<Decal_layer<TriangleMe
                                         const Decal_color& background = {1., 1., 1., 1.})
 {
   static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "A surfel cloud has no faces to carry a texture; see composite_decal().");
+                "A texture requires a mesh, because a cloud has no faces; use composite_decal().");
   Decal_texture<TriangleMesh> texture;
   // The first triangle of the texture is the background.
   std::map<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::size_t> triangle_of;

@@ -63,9 +63,10 @@ Wavelet_stream decode_wavelets(const ByteRange& bytes, OutputMesh& output,
       internal::parameter(np, internal_np::maximum_number_of_vertices, std::size_t(1) << 24));
   const internal::Wavelet_signal& signal = decoded.signal;
   if(signal.channels != 3)
-    throw Invalid_argument_error("The stream of wavelets has no places of vertices.");
+    throw Invalid_argument_error("The wavelet stream does not contain vertex positions.");
   if(!internal::is_halfedge_mesh(decoded.subdivision->levels.front()))
-    throw Invalid_argument_error("The surface of the stream touches itself where no mesh can.");
+    throw Invalid_argument_error(
+        "The wavelet stream has a nonmanifold vertex that a halfedge mesh cannot represent.");
   const std::vector<double> values = internal::decoded_values(decoded);
 
   const auto points = get(CGAL::vertex_point, output);

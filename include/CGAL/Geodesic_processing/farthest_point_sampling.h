@@ -24,7 +24,7 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
                            const Out& report_sample)
 {
   static_assert(is_front<Method>,
-                "Samples are spread by fronts: Euclidean_front, Fast_marching or Dijkstra.");
+                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   const Front_limits front_limits = limits(domain, np);
   const double scale = domain.triangles()->scale;
   const double radius = parameter(np, internal_np::covering_radius, 0.);

@@ -20,10 +20,10 @@ template <typename NamedParameters>
 double fuzzy_width(double distance, const NamedParameters& np)
 {
   if(!(distance < infinity))
-    throw Invalid_argument_error("No way leads from the one place to the other.");
+    throw Invalid_argument_error("No path connects the two locations.");
   const double result = parameter(np, internal_np::width, 0.05 * distance);
   if(!(result > 0.) || !std::isfinite(result))
-    throw Invalid_argument_error("The width of a fuzzy geodesic is not positive and finite.");
+    throw Invalid_argument_error("The width of a fuzzy geodesic must be positive and finite.");
   return result;
 }
 

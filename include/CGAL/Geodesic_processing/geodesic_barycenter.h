@@ -67,7 +67,7 @@ auto geodesic_barycenter(const Surface& surface, const Locations& locations,
   const std::size_t number_of_locations =
       std::size_t(std::distance(std::begin(locations), std::end(locations)));
   if(number_of_locations == 0)
-    throw Invalid_argument_error("There is no place to find the barycenter of.");
+    throw Invalid_argument_error("The range of locations is empty.");
   const std::vector<double> weights = internal::weights(np, number_of_locations);
 
   std::vector<double> sum(domain.number_of_vertices(), 0.);
@@ -85,7 +85,7 @@ auto geodesic_barycenter(const Surface& surface, const Locations& locations,
   }
   const auto best = std::min_element(sum.begin(), sum.end());
   if(best == sum.end() || !(*best < internal::infinity))
-    throw Invalid_argument_error("No site is reached by all places.");
+    throw Invalid_argument_error("No vertex is reached from all locations.");
   if constexpr(internal::has_parameter<NamedParameters, internal_np::objective_map_t>)
     domain.write([&](internal::Index i) { return sum[i]; },
                  internal::parameter(np, internal_np::objective_map, 0));

@@ -45,7 +45,7 @@ Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number
   if(!result.is_finished)
     return result;
   if(found.triangles.empty())
-    throw Invalid_argument_error("The mesh has no triangle.");
+    throw Invalid_argument_error("The mesh has no triangles.");
   result.added = found.samples.size() - (std::min)(number, found.samples.size());
 
   const internal::Surface_arrays& fine = found.fine;

@@ -89,13 +89,13 @@ std::size_t geodesic_centroidal_tessellation(const Surface& surface, std::size_t
 {
   using internal::Index;
   static_assert(internal::is_front<Method>,
-                "Cells are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
+                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   const auto domain = make_domain(surface, np);
   constexpr bool is_cloud =
       internal::Is_cloud<typename std::decay_t<decltype(domain)>::Surface>::value;
   constexpr std::size_t no_label = (std::numeric_limits<std::size_t>::max)();
   if(number == 0)
-    throw Invalid_argument_error("A tessellation has one cell at least.");
+    throw Invalid_argument_error("The number of cells must be positive.");
   const internal::Front_limits front_limits = internal::limits(domain, np);
   internal::Tessellation_options options;
   options.number_of_cells = number;

@@ -173,10 +173,9 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   if(number > 0 && result.added > 0 &&
      internal::parameter(np, internal_np::too_few_samples, Too_few_samples::refine) !=
          Too_few_samples::refine)
-    throw Invalid_argument_error(
-        "With " + std::to_string(number) +
-        " samples there is no mesh like the one that is asked for: it takes " +
-        std::to_string(found.samples.size()) + ".");
+    throw Invalid_argument_error(std::to_string(number) +
+                                 " samples are too few: a mesh that meets all requirements has " +
+                                 std::to_string(found.samples.size()) + " samples.");
 
   using Graph = boost::graph_traits<OutputMesh>;
   using Vertex = typename Graph::vertex_descriptor;

@@ -53,7 +53,7 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
   {
     const Surface_location location = domain.inner_vertex(vertex);
     if(column_of[location.vertex] != none)
-      throw Invalid_argument_error("A site comes twice.");
+      throw Invalid_argument_error("A vertex is given twice.");
     column_of[location.vertex] = Index(from.size());
     from.push_back({{location}, 0., Index(from.size())});
   }

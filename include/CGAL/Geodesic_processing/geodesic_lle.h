@@ -80,7 +80,7 @@ auto geodesic_lle(const Surface& surface, UVMap uv_map,
   const std::size_t neighbors =
       internal::parameter(np, internal_np::number_of_neighbors, std::size_t(10));
   if(neighbors < 3)
-    throw Invalid_argument_error("Each base point needs three neighbors or more.");
+    throw Invalid_argument_error("The number of neighbors must be at least 3.");
   return internal::flatten<Method>(
       domain, uv_map, np, internal::suitable_number_of_base_points(*domain.triangles()),
       [&](const auto& triangles, const auto& sampling, const auto& front, const auto& callback)
@@ -92,7 +92,7 @@ auto geodesic_lle(const Surface& surface, UVMap uv_map,
         const std::vector<internal::Vec2> positions = embed_base_points(base, neighbors);
         if(positions.empty())
           throw Invalid_argument_error(
-              "Base points are in groups apart: give more of their neighbors.");
+              "The neighbor graph of the base points is not connected: use more neighbors.");
         std::vector<internal::Vec2> image = extend_embedding(base, positions, neighbors);
         orient_positively(triangles, image);
         untangle(triangles, image);

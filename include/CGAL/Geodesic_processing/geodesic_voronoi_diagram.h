@@ -58,7 +58,7 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
                                         const NamedParameters& np)
 {
   static_assert(is_front<Method>,
-                "Cells are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
+                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   const Front_limits front_limits = limits(domain, np);
   std::vector<std::size_t> label_of_source;
   std::vector<Front_source> front_sources = sources(domain, seeds, label_of_source);
@@ -129,7 +129,7 @@ bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
   constexpr bool has_bisectors =
       internal::has_parameter<NamedParameters, internal_np::bisector_output_t>;
   static_assert(!internal::Is_cloud<Domain_surface>::value || !(has_face_labels || has_bisectors),
-                "A surfel cloud has no faces, and no lines between cells: its triangles overlap.");
+                "Face labels and bisectors need a mesh, because the triangles of a cloud overlap.");
   if constexpr(has_face_labels)
   {
     auto face_label_map = internal::parameter(np, internal_np::face_label_map, 0);
@@ -185,7 +185,7 @@ bool geodesic_voronoi_cells(const Surface& mesh, const Seeds& seeds, TriangleMes
   using internal::Index;
   const auto domain = make_domain(mesh, np);
   static_assert(!internal::Is_cloud<typename std::decay_t<decltype(domain)>::Surface>::value,
-                "A surfel cloud has no faces to cut: its triangles overlap.");
+                "Cutting cells needs a mesh, because the triangles of a cloud overlap.");
   const auto found = internal::compute_labeled_voronoi<Method>(domain, seeds, np);
   const internal::Voronoi_diagram::Cut_mesh cut = found.cells.cut();
 
@@ -204,7 +204,8 @@ bool geodesic_voronoi_cells(const Surface& mesh, const Seeds& seeds, TriangleMes
                                 vertices[cut.corners[3 * f + 2]]};
     const auto face = CGAL::Euler::add_face(corners, cells);
     if(face == boost::graph_traits<TriangleMesh>::null_face())
-      throw Unsupported_surface_error("The faces around a vertex cannot be put together again.");
+      throw Unsupported_surface_error(
+          "The faces around a vertex cannot be added to the output mesh.");
     put(label_map, face, found.label(cut.labels[f]));
   }
   return found.cells.is_finished();

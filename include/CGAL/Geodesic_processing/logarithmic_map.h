@@ -93,8 +93,9 @@ struct Log_tag<Discrete_exponential>
 template <typename Surface, typename Method = Gradient<>>
 class Logarithmic_map
 {
-  static_assert(!internal::Is_cloud<Surface>::value || !std::is_same_v<Method, Exact>,
-                "Exact tangent vectors need a mesh; a surfel cloud has no edges to cross.");
+  static_assert(
+      !internal::Is_cloud<Surface>::value || !std::is_same_v<Method, Exact>,
+      "Exact tangent vectors need a mesh, because the triangles of a cloud are not connected.");
 
 public:
   using Domain = internal::Domain_of<Surface>;
@@ -242,7 +243,7 @@ void Logarithmic_map<Surface, Method>::compute(const Place& base, const NamedPar
   if(!(options.stencil_length >= 0.))
     throw Invalid_argument_error("The length of the stencil is negative or not a number.");
   if(options.stencil_size < 3)
-    throw Invalid_argument_error("A stencil has three places or more.");
+    throw Invalid_argument_error("The stencil must have at least 3 points.");
   m_plane.emplace(internal::oriented_tangent_plane(m_domain, base, np));
   for(const internal::Index vertex : m_reached)
     m_coordinates[vertex] = outside;

@@ -48,7 +48,7 @@ void mean_value_coordinates(const Mesh& mesh, const Point& point, CoordinateMap 
 {
   const auto domain = make_domain(mesh, np);
   static_assert(!internal::Is_cloud<typename decltype(domain)::Surface>::value,
-                "A cloud encloses nothing: mean value coordinates need a closed mesh.");
+                "Mean value coordinates need a closed mesh, because a cloud encloses no volume.");
   const internal::Vector found =
       internal::Mean_value_coordinates(domain.triangles())(internal::spatial(point));
   domain.write([&](internal::Index i) { return found[i]; }, coordinate_map);

@@ -76,7 +76,7 @@ Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
   using Value = typename boost::property_traits<UVMap>::value_type;
   const auto domain = make_domain(mesh, np);
   static_assert(!internal::Is_cloud<typename decltype(domain)::Surface>::value,
-                "Flips are of faces; a surfel cloud has none.");
+                "Minimizing distortion needs a mesh, because a cloud has no faces.");
   const internal::Surface_arrays& triangles = *domain.triangles();
   std::vector<internal::Vec2> image(domain.number_of_vertices());
   for(internal::Index i = 0; i < image.size(); ++i)

@@ -81,7 +81,8 @@ Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t
       internal::parameter(np, internal_np::subdivision_scheme, Subdivision_scheme::triangles) ==
       Subdivision_scheme::quads;
   if(has_quads && deviation > 0.)
-    throw Invalid_argument_error("The maximum deviation is of triangles, not of quads.");
+    throw Invalid_argument_error(
+        "A maximum deviation is supported only for triangles, not for quads.");
   const Base_parameterization<TriangleMesh> base(mesh, number, np);
   const internal::Surface_arrays& coarse = *base.domain().triangles();
   const internal::Semi_regular_mesh found =

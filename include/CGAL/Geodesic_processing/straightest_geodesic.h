@@ -47,8 +47,9 @@ auto straightest_geodesic(const Mesh& mesh, const QueryLocation& from, const Vec
 {
   const auto domain = make_domain(mesh, np);
   using Surface = typename decltype(domain)::Surface;
-  static_assert(!internal::Is_cloud<Surface>::value,
-                "straightest_geodesic: a surfel cloud is not a manifold; go on a mesh.");
+  static_assert(
+      !internal::Is_cloud<Surface>::value,
+      "Straightest geodesics require a mesh, because the triangles of a cloud are not connected.");
   const internal::Surface_arrays& t = *domain.triangles();
   const internal::Straightest_path path = internal::trace_straightest_in_space(
       t, internal::location(domain, from),

@@ -95,12 +95,12 @@ Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap 
                             const NamedParameters& np = NamedParameters())
 {
   static_assert(internal::is_front<Method>,
-                "Charts are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
+                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   using Value = typename boost::property_traits<UVMap>::value_type;
   static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "Texture coordinates are of corners of faces; a surfel cloud has none.");
+                "A texture atlas needs a mesh, because a cloud has no faces.");
   if(number == 0)
-    throw Invalid_argument_error("An atlas has one chart at least.");
+    throw Invalid_argument_error("The number of charts must be positive.");
   const auto domain = make_domain(mesh, np);
   const internal::Front_limits front_limits = internal::limits(domain, np);
   internal::Atlas_options options;

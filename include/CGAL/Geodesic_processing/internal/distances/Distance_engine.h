@@ -48,7 +48,7 @@ constexpr Distance_method distance_method()
   else
   {
     static_assert(std::is_same_v<Method, Heat>,
-                  "The methods are Dijkstra, Fast_marching, Euclidean_front, Exact and Heat.");
+                  "The method must be Dijkstra, Fast_marching, Euclidean_front, Exact or Heat.");
     return Distance_method::heat;
   }
 }
