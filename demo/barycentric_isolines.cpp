@@ -48,6 +48,7 @@ int main(int argc, char* argv[])
   const auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   GP::geodesic_distances(mesh, corners, distance);
   std::cout << base.number_of_base_faces() << " base faces, of which " << base.repaired_faces()
-            << " have mean value coordinates; " << base.folds() << " folds.\n";
+            << " have mean value coordinates; " << base.number_of_flips()
+            << " inverted triangles.\n";
   return CGAL::IO::write_polygon_mesh(argv[3], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

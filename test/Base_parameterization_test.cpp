@@ -20,7 +20,7 @@ void expect_round_trip(const AnyMesh& mesh)
 {
   const GP::Base_parameterization<AnyMesh> base(mesh, 30);
   EXPECT_GE(base.number_of_base_vertices(), 30u);
-  EXPECT_EQ(base.folds(), 0u);
+  EXPECT_EQ(base.number_of_flips(), 0u);
   for(const auto v : vertices(mesh))
   {
     const auto p = base.point(base(v)), q = get(CGAL::vertex_point, mesh, v);

@@ -27,7 +27,7 @@ TEST(semi_regular_remeshing, has_subdivision_connectivity)
   const auto result =
       GP::semi_regular_remeshing(mesh, 30, 3, output, GP::parameters::level_map(level));
   EXPECT_EQ(result.levels, 3u);
-  EXPECT_EQ(result.folds, 0u);
+  EXPECT_EQ(result.number_of_flips, 0u);
   EXPECT_EQ(num_faces(output), 64 * result.base_faces);
   EXPECT_TRUE(output.is_valid());
   std::size_t last = 0;

@@ -33,7 +33,8 @@ int main()
   const auto base = GP::parameterize_over_base(mesh, 20, locations);
   const Mesh::Vertex_index v(500);
   std::cout << "vertex 500 is in base face " << locations[v].face << " of "
-            << base.number_of_base_faces() << ", " << base.folds() << " triangles are folded\n";
+            << base.number_of_base_faces() << ", " << base.number_of_flips()
+            << " triangles are inverted\n";
 
   Mesh semi_regular;
   const auto result = GP::semi_regular_remeshing(mesh, 20, 3, semi_regular);
@@ -41,7 +42,7 @@ int main()
             << " faces is cut into 64: " << semi_regular.number_of_faces() << '\n';
 
   // The base location of a vertex maps back to the vertex.
-  const bool is_correct = base.folds() == 0 &&
+  const bool is_correct = base.number_of_flips() == 0 &&
                           CGAL::squared_distance(base.point(locations[v]), mesh.point(v)) < 1e-12 &&
                           semi_regular.number_of_faces() == 64 * result.base_faces;
   return is_correct ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -69,7 +69,7 @@ Barycentric interpolate(const Barycentric& b, const std::array<Barycentric, 3>& 
   return result;
 }
 
-bool is_folded(const Barycentric& a, const Barycentric& b, const Barycentric& c)
+bool is_inverted(const Barycentric& a, const Barycentric& b, const Barycentric& c)
 {
   return orientation({a[1], a[2]}, {b[1], b[2]}, {c[1], c[2]}) <= 0;
 }
@@ -204,7 +204,7 @@ private:
       }
     }
     if(!is_valid)
-      m_result.m_number_of_folds += store_coordinates(false);
+      m_result.m_number_of_flips += store_coordinates(false);
     for(const Index vertex : m_vertices)
       m_local_index[vertex] = none;
   }
@@ -414,15 +414,15 @@ private:
   // including flat ones if `does_count_flat` is true.
   std::size_t store_coordinates(bool does_count_flat)
   {
-    std::size_t folds = 0;
+    std::size_t number_of_flips = 0;
     for(const Index f : m_triangles)
     {
       for(Index c = 3 * f; c < 3 * f + 3; ++c)
         m_result.m_coordinates[c] = m_image[m_local_index[m_fine.corner[c]]];
       const Barycentric* const b = &m_result.m_coordinates[3 * std::size_t(f)];
-      folds += is_folded(b[0], b[1], b[2]) || (does_count_flat && is_flat(f));
+      number_of_flips += is_inverted(b[0], b[1], b[2]) || (does_count_flat && is_flat(f));
     }
-    return folds;
+    return number_of_flips;
   }
 
   Base_map& m_result;

@@ -480,7 +480,7 @@ void base(Mesh& mesh)
   auto found = mesh.add_property_map<Vertex, GP::Base_location>("v:base").first;
   const auto over = GP::parameterize_over_base(mesh, 20, found);
   print("faces", over.number_of_base_faces());
-  print("folds", over.folds());
+  print("folds", over.number_of_flips());
   for(const Vertex v : mesh.vertices())
   {
     print("face", found[v].face);

@@ -215,10 +215,11 @@ void print_maps(bool is_quick)
       const Base_map other(base, Base_coordinates::mean_value);
       const std::vector<bool> is_repaired = repaired_regions(unrepaired_map, *map);
       const Distortion h = distortion(*map, is_repaired), m = distortion(other, is_repaired);
-      table.add({name, std::to_string(base->samples.size()), std::to_string(unrepaired_map.folds()),
+      table.add({name, std::to_string(base->samples.size()),
+                 std::to_string(unrepaired_map.number_of_flips()),
                  std::to_string(map->number_of_repaired_regions()) + "/" +
                      std::to_string(base->triangles.size()),
-                 std::to_string(map->folds() + other.folds()),
+                 std::to_string(map->number_of_flips() + other.number_of_flips()),
                  format_scientific(round_trip(*map, *domain.triangles())),
                  format_scientific(std::max(largest_jump(*map), largest_jump(other))),
                  has_same_topology(*base, *domain.triangles()) ? "same" : "other",

@@ -134,9 +134,9 @@ public:
     return m_domain.outer(m_map->base().samples[vertex]);
   }
 
-  /// Returns the number of folded triangles. It is zero unless round-off errors fold triangles with
-  /// uniform coordinates.
-  std::size_t folds() const { return m_map->folds(); }
+  /// Returns the number of inverted triangles. It is zero unless round-off errors invert triangles
+  /// with uniform coordinates.
+  std::size_t number_of_flips() const { return m_map->number_of_flips(); }
   /// Returns the number of base faces whose coordinates were replaced by another kind.
   std::size_t repaired_faces() const { return m_map->number_of_repaired_regions(); }
 

@@ -25,8 +25,8 @@ struct Semi_regular_result
 {
   /// Number of 1-to-4 refinements; for quads, the first split into three is not counted.
   unsigned levels = 0;
-  std::size_t base_faces = 0; ///< number of faces of the base mesh
-  std::size_t folds = 0;      ///< number of folded triangles of the parameterization
+  std::size_t base_faces = 0;      ///< number of faces of the base mesh
+  std::size_t number_of_flips = 0; ///< number of inverted triangles of the parameterization
   /// Maximum distance of a vertex of the mesh from the point of the result with the same base
   /// coordinates; 0 if `maximum_deviation` is not given.
   double deviation = 0.;
@@ -105,8 +105,8 @@ Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t
       put(internal::parameter(np, internal_np::level_map, 0), vertices[i], level);
     }
   }
-  return {unsigned(found.number_of_vertices.size() - 1), base.number_of_base_faces(), base.folds(),
-          found.deviation};
+  return {unsigned(found.number_of_vertices.size() - 1), base.number_of_base_faces(),
+          base.number_of_flips(), found.deviation};
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -141,7 +141,7 @@ void run_base(Job& job, const Base_options& options)
   const Mesh mesh = make_mesh(surface);
   job.begin_stage("query");
   const GP::Base_parameterization<Mesh> base(mesh, options.number, base_parameters(options, job));
-  report(job, base.number_of_base_vertices(), base.number_of_base_faces(), base.folds());
+  report(job, base.number_of_base_vertices(), base.number_of_base_faces(), base.number_of_flips());
   job.result()["repaired_faces"] = base.repaired_faces();
   job.print_line("repaired        " + std::to_string(base.repaired_faces()));
 
@@ -204,7 +204,7 @@ void run_semiregular(Job& job, const Base_options& options)
       file.corners.push_back(v);
     file.polygon_begin.push_back(file.corners.size());
   }
-  report(job, file.points.size(), file.number_of_polygons(), result.folds);
+  report(job, file.points.size(), file.number_of_polygons(), result.number_of_flips);
   job.result()["levels"] = result.levels;
   job.result()["base_faces"] = result.base_faces;
   job.print_line("levels          " + std::to_string(result.levels));

@@ -59,7 +59,7 @@ TEST(Base_map, has_no_folded_triangles)
     for(const Base_coordinates kind : kinds)
     {
       const Base_map map(base, kind);
-      EXPECT_EQ(map.folds(), 0u);
+      EXPECT_EQ(map.number_of_flips(), 0u);
       std::vector<double> area(base->triangles.size(), 0.);
       for(std::size_t c = 0; c < map.coordinates().size(); c += 3)
       {
@@ -153,7 +153,7 @@ TEST(Base_map, heron_coordinates_of_planar_triangle_are_affine)
   const auto base = one_face(arrays, {0, 1, 2});
   ASSERT_TRUE(base);
   const Base_map raw(base, Base_coordinates::heron, false);
-  EXPECT_EQ(raw.folds(), 0u);
+  EXPECT_EQ(raw.number_of_flips(), 0u);
   for(std::size_t c = 0; c < raw.coordinates().size(); ++c)
   {
     Point p = {0., 0., 0.};
@@ -217,7 +217,7 @@ TEST(Base_map, handles_zero_angles)
     const Base_map map(base, kind, false);
     for(const auto& b : map.coordinates())
       EXPECT_NEAR(b[0] + b[1] + b[2], 1., 1e-12);
-    EXPECT_EQ(Base_map(base, kind).folds(), 0u);
+    EXPECT_EQ(Base_map(base, kind).number_of_flips(), 0u);
   }
 }
 

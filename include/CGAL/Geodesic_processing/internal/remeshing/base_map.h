@@ -29,7 +29,7 @@ struct Base_location
 };
 
 // The parameterization of a mesh over its base mesh. The map is continuous and linear in each
-// triangle of the fine mesh. It is bijective if folds() is zero.
+// triangle of the fine mesh. It is bijective if number_of_flips() is zero.
 class CGAL_GEODESIC_PROCESSING_EXPORT Base_map
 {
 public:
@@ -51,7 +51,7 @@ public:
   const std::vector<std::array<double, 3>>& coordinates() const { return m_coordinates; }
 
   // Number of inverted triangles, and number of regions whose coordinates were replaced.
-  std::size_t folds() const { return m_number_of_folds; }
+  std::size_t number_of_flips() const { return m_number_of_flips; }
   std::size_t number_of_repaired_regions() const { return m_number_of_repaired_regions; }
 
   // Maps a canonical location of the mesh to the base mesh. Linear in the number of fine triangles
@@ -65,7 +65,7 @@ private:
 
   std::shared_ptr<const Base_mesh> m_base;
   std::vector<std::array<double, 3>> m_coordinates;
-  std::size_t m_number_of_folds = 0, m_number_of_repaired_regions = 0;
+  std::size_t m_number_of_flips = 0, m_number_of_repaired_regions = 0;
   // Triangles of the fine mesh, grouped by triangle of the mesh and by base triangle.
   std::vector<Index> m_parent_begin, m_triangles_by_parent, m_region_begin, m_triangles_by_region;
 };
