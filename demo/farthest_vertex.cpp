@@ -30,8 +30,9 @@ int main(int argc, char* argv[])
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
   GP::geodesic_distances(mesh, Vertex(0), distance);
 
-  const auto nearer = [&](Vertex a, Vertex b) { return distance[a] < distance[b]; };
-  const Vertex farthest = *std::max_element(mesh.vertices().begin(), mesh.vertices().end(), nearer);
+  const auto is_closer = [&](Vertex a, Vertex b) { return distance[a] < distance[b]; };
+  const Vertex farthest =
+      *std::max_element(mesh.vertices().begin(), mesh.vertices().end(), is_closer);
   const double flight =
       std::sqrt(CGAL::squared_distance(mesh.point(Vertex(0)), mesh.point(farthest)));
 

@@ -56,7 +56,7 @@ inline bool fit_source_direction(double length, double difference, Circular_fron
 // is positive if `difference` is larger than that of the circle, and negative if it is smaller.
 // For a straight front it is the difference of both.  `cosine` is that of the angle at x between
 // the edge and the source.
-inline double excess_gain(double curvature, double length, double difference, double cosine)
+inline double circle_residual(double curvature, double length, double difference, double cosine)
 {
   return difference + length * cosine -
          0.5 * curvature * (length - difference) * (length + difference);
@@ -66,17 +66,17 @@ inline double excess_gain(double curvature, double length, double difference, do
 // along the edge, but at least `min_curvature`.
 //
 // With d = difference, l = length, c = cosine, u = source, e = the edge's direction: |l e - r u| =
-// r + d yields 1 / r = 2 (d + l c) / (l^2 - d^2).  Only an excess beyond 1e-11 of the distance is
+// r + d yields 1 / r = 2 (d + l c) / (l^2 - d^2).  Only a residual beyond 1e-11 of the distance is
 // used.  Otherwise round-off errors always increase the curvature and accumulate.  On a flat
 // square, the relative error after 300 edges was 1e-10 instead of 1e-15.
 inline double fitted_curvature(double min_curvature, double length, double difference,
                                double cosine, double distance)
 {
   const double denominator = (length - difference) * (length + difference);
-  const double excess_of_straight_front = difference + length * cosine;
-  const bool is_larger =
-      denominator > 0. && excess_gain(min_curvature, length, difference, cosine) > 1e-11 * distance;
-  return is_larger ? 2. * excess_of_straight_front / denominator : min_curvature;
+  const double residual_of_straight_front = difference + length * cosine;
+  const bool is_larger = denominator > 0. && circle_residual(min_curvature, length, difference,
+                                                             cosine) > 1e-11 * distance;
+  return is_larger ? 2. * residual_of_straight_front / denominator : min_curvature;
 }
 } // namespace CGAL::Geodesic_processing::internal
 

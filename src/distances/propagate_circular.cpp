@@ -91,12 +91,12 @@ void update_circular(Front_state& front, Index v, const Fan_position& position, 
      2. * (max_gain + dot(y, source)))
     return;
   // The distances of two sources are never combined.
-  bool has_nearer_neighbor = false;
+  bool has_closer_neighbor = false;
   if(front.have_same_source(v, near.vertex))
   {
     const double difference = z.distance - x.distance;
-    has_nearer_neighbor =
-        excess_gain(curvature, base, difference, angle[0]) < -reentry_ratio * base &&
+    has_closer_neighbor =
+        circle_residual(curvature, base, difference, angle[0]) < -reentry_ratio * base &&
         (z.state & (final_flag | source_flag | tentative_flag)) == final_flag;
     curvature =
         fitted_curvature(curvature, base, difference, angle[0], x.distance - front.offset_at(v));
@@ -117,7 +117,7 @@ void update_circular(Front_state& front, Index v, const Fan_position& position, 
       relax(front, far.vertex, {distance, direction, arrival_corner, flags, 0.}, front.sources[v]);
   // The near vertex was reached before, around the opposite side of a vertex of positive curvature.
   // The recursion ends because each call decreases a distance.
-  if(is_accepted && has_nearer_neighbor && was_reached_after(front, v, near.vertex))
+  if(is_accepted && has_closer_neighbor && was_reached_after(front, v, near.vertex))
     update_from(front, is_mirrored ? previous_halfedge(corner) : next_halfedge(corner),
                 !is_mirrored);
 }

@@ -134,19 +134,19 @@ inline void trim_dominated(Window& w, const Window& other)
 {
   const double overlap_begin = std::max(w.begin, other.begin),
                overlap_end = std::min(w.end, other.end);
-  const auto is_nearer = [&](double position)
+  const auto is_other_closer = [&](double position)
   {
     return other.distance(position) <=
            w.distance(position) + merge_tolerance * std::abs(w.distance(position));
   };
   if(!(overlap_begin < overlap_end) || (overlap_begin > w.begin && overlap_end < w.end) ||
-     !is_nearer(overlap_begin) || !is_nearer(overlap_end))
+     !is_other_closer(overlap_begin) || !is_other_closer(overlap_end))
     return;
   // Two hyperbolas intersect at most twice.  In between, their difference has one extremum.
   const double slope = (w.source[0] - other.source[0]) / (w.offset - other.offset);
   const double extremum =
       w.source[0] + std::abs(w.source[1]) * slope / std::sqrt(1. - slope * slope);
-  if(extremum > overlap_begin && extremum < overlap_end && !is_nearer(extremum))
+  if(extremum > overlap_begin && extremum < overlap_end && !is_other_closer(extremum))
     return;
   if(overlap_begin == w.begin)
     w.begin = overlap_end;

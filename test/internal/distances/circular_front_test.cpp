@@ -47,8 +47,8 @@ TEST(Circular_front, is_determined_by_two_distances)
   EXPECT_NEAR(norm(fitted.source - exact.source), 0., 1e-15);
   EXPECT_FALSE(fit_source_direction(1., 1.5, fitted)); // longer than the edge
 
-  EXPECT_NEAR(excess_gain(exact.curvature, 1., difference, exact.source[0]), 0., 1e-15);
-  EXPECT_GT(excess_gain(exact.curvature, 1., difference + 0.01, exact.source[0]), 0.);
+  EXPECT_NEAR(circle_residual(exact.curvature, 1., difference, exact.source[0]), 0., 1e-15);
+  EXPECT_GT(circle_residual(exact.curvature, 1., difference + 0.01, exact.source[0]), 0.);
   EXPECT_NEAR(fitted_curvature(0., 1., difference, exact.source[0], norm(center)), exact.curvature,
               1e-14);
   EXPECT_EQ(fitted_curvature(2., 1., difference, exact.source[0], norm(center)), 2.);
