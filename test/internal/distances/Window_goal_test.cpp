@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distances/Window_goal.h"
 
-#include "distances/Window_propagator.h"
-
-#include "Array_surface.h"
+#include "propagate_windows.h"
 
 #include <gtest/gtest.h>
 
@@ -14,21 +12,10 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Propagates windows from a location until the queue is empty.
-Window_state propagated(const Array_surface& surface, const Surface_location& source)
-{
-  Window_state state(surface.triangles(), find_pseudo_sources(surface.t()));
-  Window_propagator propagator(state);
-  propagator.start({surface.source(source)});
-  while(!state.queue.empty())
-    propagator.step();
-  return state;
-}
-
 TEST(Window_goal, connects_at_vertices_and_bounds_paths)
 {
   const Array_surface surface(square(6, 0.24));
-  const Window_state forward = propagated(surface, surface.at(0));
+  const Window_state forward = propagate_windows(surface, surface.at(0));
   Window_goal goal(surface.triangles());
   goal.find_shortest(forward);
   const Index v = surface.vertex(10);
@@ -44,7 +31,7 @@ TEST(Window_goal, meets_sources_in_the_same_triangle)
 {
   const Array_surface surface(square(6, 0.24));
   const Surface_location source = surface.in(7, {0.2, 0.3, 0.5});
-  const Window_state forward = propagated(surface, source);
+  const Window_state forward = propagate_windows(surface, source);
   Window_goal goal(surface.triangles());
   goal.find_shortest(forward);
   goal.meet_sources(source.triangle, {0., 0.}, surface.vertex(0)); // the first corner
@@ -56,7 +43,7 @@ TEST(Window_goal, meets_sources_in_the_same_triangle)
 TEST(Window_goal, keeps_one_arrival_per_direction)
 {
   const Array_surface surface(square(6, 0.24));
-  const Window_state forward = propagated(surface, surface.at(0));
+  const Window_state forward = propagate_windows(surface, surface.at(0));
   Window_goal goal(surface.triangles());
   const Index v = surface.vertex(24), corner = surface.t().ring[surface.t().ring_begin[v]];
   const Window_arrival arrival = {0.1, {1., 0.}, corner, none},

@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
-#include "Array_surface.h"
+#include "propagate_windows.h"
 
 #include <gtest/gtest.h>
 
@@ -14,24 +14,13 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Propagates windows from a location until the queue is empty.
-Window_state propagated(const Array_surface& surface, const Surface_location& source)
-{
-  Window_state state(surface.triangles(), find_pseudo_sources(surface.t()));
-  Window_propagator propagator(state);
-  propagator.start({surface.source(source)});
-  while(!state.queue.empty())
-    propagator.step();
-  return state;
-}
-
 TEST(Window_propagator, distances_on_a_plane_are_euclidean)
 {
   const Triangulation plane = square(12, 0.24);
   const Array_surface surface(plane);
   for(const Surface_location& source : {surface.at(40), surface.in(30, {0.2, 0.3, 0.5})})
   {
-    const Window_state state = propagated(surface, source);
+    const Window_state state = propagate_windows(surface, source);
     const Point p = point_at(surface.t(), source);
     for(Index i = 0; i < surface.size(); ++i)
       EXPECT_NEAR(state.vertices[surface.vertex(i)].distance * surface.scale(),
@@ -51,7 +40,7 @@ TEST(Window_propagator, pseudo_sources_are_saddle_and_boundary_vertices)
 TEST(Window_propagator, state_can_be_cleared)
 {
   const Array_surface surface(icosphere(2));
-  Window_state state = propagated(surface, surface.at(0));
+  Window_state state = propagate_windows(surface, surface.at(0));
   EXPECT_EQ(state.reached.size(), std::size_t(surface.size()));
   state.clear();
   EXPECT_TRUE(state.reached.empty());

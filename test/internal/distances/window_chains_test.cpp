@@ -3,9 +3,8 @@
 #include "distances/window_chains.h"
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include "distances/Window_propagator.h"
 
-#include "Array_surface.h"
+#include "propagate_windows.h"
 
 #include <gtest/gtest.h>
 
@@ -15,24 +14,13 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Propagates windows from a location until the queue is empty.
-Window_state propagated(const Array_surface& surface, const Surface_location& source)
-{
-  Window_state state(surface.triangles(), find_pseudo_sources(surface.t()));
-  Window_propagator propagator(state);
-  propagator.start({surface.source(source)});
-  while(!state.queue.empty())
-    propagator.step();
-  return state;
-}
-
 TEST(Window_chains, path_is_as_long_as_the_distance)
 {
   for(const Triangulation& shape : {cone(12, 6, 9.), jittered(icosphere(2), 0.05)})
   {
     const Array_surface surface(shape);
     const Surface_location source = surface.in(20, {0.2, 0.3, 0.5});
-    const Window_state state = propagated(surface, source);
+    const Window_state state = propagate_windows(surface, source);
     for(Index v = 0; v < surface.size(); ++v)
     {
       std::vector<Surface_location> path = {vertex_location(surface.t(), v)};
@@ -47,7 +35,7 @@ TEST(Window_chains, path_is_as_long_as_the_distance)
 TEST(Window_chains, vertices_on_sources_have_no_chain)
 {
   const Array_surface surface(tetrahedron());
-  const Window_state state = propagated(surface, surface.at(1));
+  const Window_state state = propagate_windows(surface, surface.at(1));
   std::vector<Surface_location> path = {surface.at(1)};
   EXPECT_EQ(append_chain(state, surface.vertex(1), path), 0.);
   EXPECT_EQ(path.size(), 1u);
