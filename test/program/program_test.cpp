@@ -212,10 +212,6 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
   expect_failure("distance square.ply --source 0 --speed colours --strength -1", 1, "--strength");
   expect_failure("distance square.ply --source 0 --speed colours --strength nan", 1, "--strength");
-  expect_failure("sample square.ply --number 2 --speed double_speed --strength 1", 1, "--strength");
-  expect_failure("voronoi square.ply --number 2 --strength 1", 1, "--strength");
-  expect_failure("sample square.ply --number 2 --speed colours --density-image a.png", 1,
-                 "--speed");
   expect_failure("distance square.ply --source 0 --method heat --density-image a.png", 1, "speeds");
   expect_failure("distance square.ply --source 0 --speed s --method heat", 1, "--speed");
   expect_failure("distance square.ply --source 0 -o a.xyz", 1, "a.xyz");
@@ -227,6 +223,14 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("path square.ply --from 0 --to 80 --method nothing", 1, "nothing");
   expect_failure("info square.ply --property distance", 1, "--picture");
   expect_failure("info square.ply --sides", 1, "--picture");
+}
+
+TEST_F(Program, exits_with_1_on_wrong_usage_of_sampling)
+{
+  expect_failure("sample square.ply --number 2 --speed double_speed --strength 1", 1, "--strength");
+  expect_failure("voronoi square.ply --number 2 --strength 1", 1, "--strength");
+  expect_failure("sample square.ply --number 2 --speed colours --density-image a.png", 1,
+                 "--speed");
   expect_failure("voronoi square.ply", 1, "--number");
   expect_failure("voronoi square.ply --number 2 --seeds 1", 1, "--seeds");
   expect_failure("segment square.ply", 1, "--number");
@@ -239,6 +243,18 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("sample square.ply --spacing -1", 1, "--spacing");
   expect_failure("sample square.ply --spacing inf", 1, "--spacing");
   expect_failure("sample square.ply --number 2 --speed slow", 2, "slow");
+  expect_failure("matrix square.ply --limit inf", 1, "--limit");
+  expect_failure("matrix square.ply --number 0", 1, "at least one row");
+  expect_failure("matrix square.ply --number 2 --sources 1", 1, "--sources");
+  expect_failure("matrix square.ply --sources 1,2,1", 1, "vertex 1 comes twice");
+  expect_failure("matrix square.ply --number 2 --limit -1", 1, "--limit");
+  expect_failure("matrix square.ply --number 2 --limit nan", 1, "--limit");
+  expect_failure("matrix square.ply --number 2 --method biharmonic --limit 1", 1, "no limit");
+  expect_failure("matrix square.ply --number 2 -o a.ply", 1, ".mtx");
+}
+
+TEST_F(Program, exits_with_1_on_wrong_usage_of_remeshing)
+{
   expect_failure("remesh square.ply", 1, "--number");
   expect_failure("remesh square.ply --number -1", 1, "--number");
   expect_failure("remesh square.ply --number 9 --lloyd -1", 1, "--lloyd");
@@ -267,14 +283,6 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("semiregular square.ply --number 9 --levels 9", 1, "--levels");
   expect_failure("semiregular square.ply --number 9 --maximum-deviation -1", 1,
                  "--maximum-deviation");
-  expect_failure("matrix square.ply --limit inf", 1, "--limit");
-  expect_failure("matrix square.ply --number 0", 1, "at least one row");
-  expect_failure("matrix square.ply --number 2 --sources 1", 1, "--sources");
-  expect_failure("matrix square.ply --sources 1,2,1", 1, "vertex 1 comes twice");
-  expect_failure("matrix square.ply --number 2 --limit -1", 1, "--limit");
-  expect_failure("matrix square.ply --number 2 --limit nan", 1, "--limit");
-  expect_failure("matrix square.ply --number 2 --method biharmonic --limit 1", 1, "no limit");
-  expect_failure("matrix square.ply --number 2 -o a.ply", 1, ".mtx");
 }
 
 TEST_F(Program, exits_with_2_on_bad_input)
