@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/channels.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/read_triangles.h>
 #include <CGAL/Geodesic_processing/internal/subdivision/hierarchy.h>
 #include <CGAL/Geodesic_processing/internal/subdivision/zerotree.h>
 #include <CGAL/Geodesic_processing/parameters.h>
@@ -201,28 +202,8 @@ Subdivision_wavelet<TriangleMesh>::Subdivision_wavelet(const TriangleMesh& mesh,
                                                        const NamedParameters& np)
 {
   using internal::Index;
-  const auto index = get(dynamic_vertex_property_t<Index>(), mesh);
   std::vector<Vertex> input_vertices;
-  for(const Vertex vertex : vertices(mesh))
-  {
-    put(index, vertex, Index(input_vertices.size()));
-    input_vertices.push_back(vertex);
-  }
-  std::vector<internal::Triangle> triangles;
-  for(const auto face : faces(mesh))
-  {
-    const auto first_halfedge = halfedge(face, mesh);
-    auto h = first_halfedge;
-    internal::Triangle t;
-    for(Index& v : t)
-    {
-      v = get(index, target(h, mesh)); // starts with the first vertex used to create the face
-      h = next(h, mesh);
-    }
-    if(h != first_halfedge)
-      throw Unsupported_surface_error("A face is not a triangle.");
-    triangles.push_back(t);
-  }
+  const std::vector<internal::Triangle> triangles = internal::read_triangles(mesh, input_vertices);
   constexpr std::size_t max_number_of_levels = 15; // sufficient for 2^31 halfedges
   const std::size_t requested_levels =
       internal::parameter(np, internal_np::number_of_levels, max_number_of_levels);
