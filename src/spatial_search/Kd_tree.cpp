@@ -21,37 +21,61 @@ double squared_distance(const std::array<double, 3>& p, const std::array<double,
   return x * x + y * y + z * z;
 }
 
-struct Entry
-{
-  std::array<double, 3> point;
-  Index position;
-};
-
 } // namespace
 
-Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned threads)
-    : m_size(points.size())
+// Sorts the points into the nodes of a tree whose number of levels is known.
+class Kd_tree::Builder
 {
-  order.resize(m_size);
-  if(m_size == 0)
-    return;
-  while(m_size > leaf_size << m_levels)
-    ++m_levels;
-  m_boxes.resize((std::size_t(2) << m_levels) - 1);
+public:
+  Builder(Kd_tree& tree, const std::vector<Point>& points, unsigned threads)
+      : m_tree(tree), m_threads(threads), m_entries(points.size())
+  {
+    for_each_block(m_entries.size(), block_size, m_threads,
+                   [&](std::size_t, std::size_t begin, std::size_t end)
+                   {
+                     for(std::size_t i = begin; i < end; ++i)
+                       m_entries[i] = {points[i], static_cast<Index>(i)};
+                   });
+  }
 
-  std::vector<Entry> entries(m_size);
-  for_each_block(m_size, block_size, threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
-                 {
-                   for(std::size_t i = begin; i < end; ++i)
-                     entries[i] = {points[i], static_cast<Index>(i)};
-                 });
+  // Splits all nodes.  Threads process the nodes of one upper level in parallel, then whole
+  // subtrees.
+  void split_all()
+  {
+    const unsigned upper = std::min(m_tree.m_levels, m_threads > 1 ? 4u : 0u);
+    for(unsigned level = 0; level < upper; ++level)
+      for_each_block(std::size_t(1) << level, 1, m_threads,
+                     [&](std::size_t node, std::size_t, std::size_t) { split(level, node); });
+    for_each_block(std::size_t(1) << upper, 1, m_threads,
+                   [&](std::size_t root, std::size_t, std::size_t) { split_subtree(upper, root); });
+  }
+
+  // Writes the sorted points and the former index of each point.
+  void store(std::vector<Point>& points, std::vector<Index>& order) const
+  {
+    for_each_block(m_entries.size(), block_size, m_threads,
+                   [&](std::size_t, std::size_t begin, std::size_t end)
+                   {
+                     for(std::size_t i = begin; i < end; ++i)
+                     {
+                       points[i] = m_entries[i].point;
+                       order[i] = m_entries[i].position;
+                     }
+                   });
+  }
+
+private:
+  struct Entry
+  {
+    Point point;
+    Index position;
+  };
 
   // Computes the box of a node, and partitions its points at the median along the longest axis.
-  const auto split = [&](unsigned level, std::size_t node)
+  void split(unsigned level, std::size_t node)
   {
-    const auto first = entries.begin() + begin(node, level);
-    const auto last = entries.begin() + begin(node + 1, level);
+    const auto first = m_entries.begin() + m_tree.begin(node, level);
+    const auto last = m_entries.begin() + m_tree.begin(node + 1, level);
     Box box = {first->point, first->point};
     for(auto entry = first; entry != last; ++entry)
       for(int k = 0; k < 3; ++k)
@@ -59,7 +83,7 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
         box.low[k] = std::min(box.low[k], entry->point[k]);
         box.high[k] = std::max(box.high[k], entry->point[k]);
       }
-    m_boxes[(std::size_t(1) << level) - 1 + node] = box;
+    m_tree.m_boxes[(std::size_t(1) << level) - 1 + node] = box;
     int axis = 0;
     for(int k = 1; k < 3; ++k)
       if(box.high[k] - box.low[k] > box.high[axis] - box.low[axis])
@@ -70,43 +94,47 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
              : a.point != b.point           ? a.point < b.point
                                             : a.position < b.position;
     };
-    if(level == m_levels)
+    if(level == m_tree.m_levels)
       std::sort(first, last, less);
     else
-      std::nth_element(first, entries.begin() + begin(2 * node + 1, level + 1), last, less);
-  };
-  // Threads process the nodes of one upper level in parallel, then whole subtrees.
-  const unsigned upper = std::min(m_levels, threads > 1 ? 4u : 0u);
-  for(unsigned level = 0; level < upper; ++level)
-    for_each_block(std::size_t(1) << level, 1, threads,
-                   [&](std::size_t node, std::size_t, std::size_t) { split(level, node); });
-  for_each_block(std::size_t(1) << upper, 1, threads,
-                 [&](std::size_t root, std::size_t, std::size_t)
-                 {
-                   // Depth first, so that the points of a subtree stay in the cache.
-                   std::vector<std::pair<unsigned, std::size_t>> stack{{upper, root}};
-                   while(!stack.empty())
-                   {
-                     const auto [level, node] = stack.back();
-                     stack.pop_back();
-                     split(level, node);
-                     if(level < m_levels)
-                     {
-                       stack.emplace_back(level + 1, 2 * node + 1);
-                       stack.emplace_back(level + 1, 2 * node);
-                     }
-                   }
-                 });
+      std::nth_element(first, m_entries.begin() + m_tree.begin(2 * node + 1, level + 1), last,
+                       less);
+  }
 
-  for_each_block(m_size, block_size, threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
-                 {
-                   for(std::size_t i = begin; i < end; ++i)
-                   {
-                     points[i] = entries[i].point;
-                     order[i] = entries[i].position;
-                   }
-                 });
+  // Splits a node and its descendants depth first, so that their points stay in the cache.
+  void split_subtree(unsigned root_level, std::size_t root)
+  {
+    std::vector<std::pair<unsigned, std::size_t>> stack{{root_level, root}};
+    while(!stack.empty())
+    {
+      const auto [level, node] = stack.back();
+      stack.pop_back();
+      split(level, node);
+      if(level < m_tree.m_levels)
+      {
+        stack.emplace_back(level + 1, 2 * node + 1);
+        stack.emplace_back(level + 1, 2 * node);
+      }
+    }
+  }
+
+  Kd_tree& m_tree;
+  unsigned m_threads;
+  std::vector<Entry> m_entries;
+};
+
+Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned threads)
+    : m_size(points.size())
+{
+  order.resize(m_size);
+  if(m_size == 0)
+    return;
+  while(m_size > leaf_size << m_levels)
+    ++m_levels;
+  m_boxes.resize((std::size_t(2) << m_levels) - 1);
+  Builder builder(*this, points, threads);
+  builder.split_all();
+  builder.store(points, order);
 }
 
 void Kd_tree::scale(double factor)

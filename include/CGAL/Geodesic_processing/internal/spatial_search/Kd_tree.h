@@ -83,6 +83,8 @@ public:
                    std::vector<std::pair<Index, Index>>& result) const;
 
 private:
+  class Builder;
+
   struct Box
   {
     Point low, high;
