@@ -44,6 +44,32 @@ Index label_remaining_components(const Surface_arrays& t, std::vector<Index>& pa
              : number_of_patches + Index(split_into_disks(t, patch, number_of_patches).size());
 }
 
+// Writes the texture coordinates of packed charts, the chart of each triangle, and the statistics.
+//
+// result.chart  has the size #triangles
+void place_charts(const Surface_arrays& t, const std::vector<Chart>& charts, const Packing& packing,
+                  std::size_t texels, Atlas& result)
+{
+  result.coordinates.resize(t.corner.size());
+  for(Index i = 0; i < charts.size(); ++i)
+  {
+    Chart placed_chart = charts[i];
+    for(Vec2& p : placed_chart.image)
+      p = (1. / double(texels)) * packing(i, p);
+    result.number_of_flips += number_of_flips(placed_chart);
+    result.number_of_overlaps += find_self_intersection(outline(placed_chart)).has_value();
+    for(std::size_t f = 0; f < placed_chart.triangles.size(); ++f)
+    {
+      std::array<Vec2, 3> corners;
+      for(std::size_t k = 0; k < 3; ++k)
+        corners[k] = result.coordinates[3 * std::size_t(placed_chart.triangles[f]) + k] =
+            placed_chart.image[placed_chart.surface.corner[3 * f + k]];
+      result.chart[placed_chart.triangles[f]] = i;
+      result.coverage += cross(corners[1] - corners[0], corners[2] - corners[0]) / 2.;
+    }
+  }
+}
+
 } // namespace
 
 Atlas make_atlas(std::shared_ptr<const Surface_arrays> triangles, const Front& front,
@@ -88,24 +114,7 @@ Atlas make_atlas(std::shared_ptr<const Surface_arrays> triangles, const Front& f
   const Packing packing =
       pack(outlines, options.texels, options.gutter, options.tessellation.threads);
   result.texels_per_length = packing.scale;
-  result.coordinates.resize(t.corner.size());
-  for(Index i = 0; i < charts.size(); ++i)
-  {
-    Chart placed_chart = charts[i];
-    for(Vec2& p : placed_chart.image)
-      p = (1. / double(options.texels)) * packing(i, p);
-    result.number_of_flips += number_of_flips(placed_chart);
-    result.number_of_overlaps += find_self_intersection(outline(placed_chart)).has_value();
-    for(std::size_t f = 0; f < placed_chart.triangles.size(); ++f)
-    {
-      std::array<Vec2, 3> corners;
-      for(std::size_t k = 0; k < 3; ++k)
-        corners[k] = result.coordinates[3 * std::size_t(placed_chart.triangles[f]) + k] =
-            placed_chart.image[placed_chart.surface.corner[3 * f + k]];
-      result.chart[placed_chart.triangles[f]] = i;
-      result.coverage += cross(corners[1] - corners[0], corners[2] - corners[0]) / 2.;
-    }
-  }
+  place_charts(t, charts, packing, options.texels, result);
   return result;
 }
 

@@ -402,6 +402,105 @@ std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbo
   return result;
 }
 
+namespace {
+
+// Maps a vertex to the affine combination of the images of its nearest base points that
+// reconstructs it.
+class Embedding_extension
+{
+public:
+  Embedding_extension(const Base_points& base, const std::vector<Vec2>& images,
+                      std::size_t neighbors)
+      : m_base(base), m_images(images), m_limit(std::min(base.number_of_nearest, neighbors + 1))
+  {}
+
+  // Returns the image of a vertex with at least one base point.
+  Vec2 operator()(std::size_t vertex)
+  {
+    m_neighbor = &m_base.neighbor[m_base.number_of_nearest * vertex];
+    m_distance = &m_base.distance[m_base.number_of_nearest * vertex];
+    if(m_distance[0] == 0.)
+      return m_images[m_neighbor[0]];
+    compute_offsets(choose_neighbors());
+    compute_positions();
+    const auto w = reconstruction_weights(m_position, m_inverse_square, regularization);
+    Vec2 image = {0., 0.};
+    for(std::size_t j = 0; j < m_number_of_neighbors; ++j)
+      image = image + w[j] * m_images[m_neighbor[j]];
+    return image;
+  }
+
+private:
+  // Counts the base points with a positive weight.  Returns the radius of the weights: the distance
+  // to the next base point, unless all have the same distance.
+  double choose_neighbors()
+  {
+    m_number_of_neighbors = 0;
+    while(m_number_of_neighbors < m_limit && m_neighbor[m_number_of_neighbors] != none)
+      ++m_number_of_neighbors;
+    if(m_number_of_neighbors == m_limit && m_limit < m_base.size() &&
+       m_distance[0] < m_distance[m_number_of_neighbors - 1])
+      return m_distance[--m_number_of_neighbors];
+    return infinity;
+  }
+
+  // Computes the weighted offsets of the images from their weighted mean.
+  void compute_offsets(double radius)
+  {
+    m_offset.resize(m_number_of_neighbors);
+    m_squared_distance.resize(m_number_of_neighbors);
+    m_inverse_square.resize(m_number_of_neighbors);
+    Vec2 center = {0., 0.};
+    double sum = 0.;
+    for(std::size_t j = 0; j < m_number_of_neighbors; ++j)
+    {
+      m_squared_distance[j] = m_distance[j] * m_distance[j];
+      // Smooth, and zero at the radius, where the set of neighbors changes.
+      const double fade = std::max(0., 1. - m_squared_distance[j] / (radius * radius)),
+                   weight = fade * fade;
+      m_inverse_square[j] = weight * m_squared_distance[0] / m_squared_distance[j];
+      center = center + m_inverse_square[j] * m_images[m_neighbor[j]];
+      sum += m_inverse_square[j];
+      m_offset[j] = {weight, 0.};
+    }
+    center = (1. / sum) * center;
+    for(std::size_t j = 0; j < m_number_of_neighbors; ++j)
+      m_offset[j] = m_offset[j][0] * (m_images[m_neighbor[j]] - center);
+  }
+
+  // Computes positions of the base points relative to the vertex, up to a linear map.  If the Gram
+  // matrix C has rank two, these are the columns of C X for any X.  With the offsets as X no
+  // eigenproblem per vertex is required, and the result is smooth.
+  void compute_positions()
+  {
+    m_position.assign(m_number_of_neighbors, {0., 0.});
+    for(std::size_t j = 0; j < m_number_of_neighbors; ++j)
+      for(std::size_t k = 0; k <= j; ++k)
+      {
+        const double pair_distance = std::min(m_base.distance_between(m_neighbor[j], m_neighbor[k]),
+                                              m_distance[j] + m_distance[k]);
+        const double c =
+            0.5 * (m_squared_distance[j] + m_squared_distance[k] - pair_distance * pair_distance);
+        m_position[j] = m_position[j] + c * m_offset[k];
+        if(k < j)
+          m_position[k] = m_position[k] + c * m_offset[j];
+      }
+  }
+
+  const Base_points& m_base;
+  const std::vector<Vec2>& m_images;
+  std::size_t m_limit;
+
+  // The current vertex.
+  const Index* m_neighbor = nullptr;
+  const double* m_distance = nullptr;
+  std::size_t m_number_of_neighbors = 0;
+  std::vector<Vec2> m_offset, m_position;
+  std::vector<double> m_squared_distance, m_inverse_square;
+};
+
+} // namespace
+
 std::vector<Vec2> extend_embedding(const Base_points& base, const std::vector<Vec2>& images,
                                    std::size_t neighbors)
 {
@@ -409,69 +508,10 @@ std::vector<Vec2> extend_embedding(const Base_points& base, const std::vector<Ve
       base.number_of_nearest > 0 ? base.neighbor.size() / base.number_of_nearest : 0;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<Vec2> result(number_of_vertices, Vec2{unknown, unknown});
-  const std::size_t limit = std::min(base.number_of_nearest, neighbors + 1);
-  std::vector<Vec2> offset, position;
-  std::vector<double> squared_distance, inverse_square;
+  Embedding_extension image_of(base, images, neighbors);
   for(std::size_t vertex = 0; vertex < number_of_vertices; ++vertex)
-  {
-    const Index* neighbor = &base.neighbor[base.number_of_nearest * vertex];
-    const double* distance = &base.distance[base.number_of_nearest * vertex];
-    if(neighbor[0] == none)
-      continue;
-    if(distance[0] == 0.)
-    {
-      result[vertex] = images[neighbor[0]];
-      continue;
-    }
-    // The distance to the last neighbor is the radius of the weights, unless all neighbors have the
-    // same distance.
-    std::size_t number_of_neighbors = 0;
-    while(number_of_neighbors < limit && neighbor[number_of_neighbors] != none)
-      ++number_of_neighbors;
-    double radius = infinity;
-    if(number_of_neighbors == limit && limit < base.size() &&
-       distance[0] < distance[number_of_neighbors - 1])
-      radius = distance[--number_of_neighbors];
-    offset.resize(number_of_neighbors);
-    position.assign(number_of_neighbors, {0., 0.});
-    squared_distance.resize(number_of_neighbors);
-    inverse_square.resize(number_of_neighbors);
-    Vec2 center = {0., 0.};
-    double sum = 0.;
-    for(std::size_t j = 0; j < number_of_neighbors; ++j)
-    {
-      squared_distance[j] = distance[j] * distance[j];
-      // Smooth, and zero at the radius, where the set of neighbors changes.
-      const double fade = std::max(0., 1. - squared_distance[j] / (radius * radius)),
-                   weight = fade * fade;
-      inverse_square[j] = weight * squared_distance[0] / squared_distance[j];
-      center = center + inverse_square[j] * images[neighbor[j]];
-      sum += inverse_square[j];
-      offset[j] = {weight, 0.};
-    }
-    center = (1. / sum) * center;
-    // If the Gram matrix C has rank two, the columns of C X are its coordinates up to a linear map,
-    // for any X.  With the images of the base points as X no eigenproblem per vertex is required,
-    // and the result is smooth.
-    for(std::size_t j = 0; j < number_of_neighbors; ++j)
-      offset[j] = offset[j][0] * (images[neighbor[j]] - center);
-    for(std::size_t j = 0; j < number_of_neighbors; ++j)
-      for(std::size_t k = 0; k <= j; ++k)
-      {
-        const double pair_distance =
-            std::min(base.distance_between(neighbor[j], neighbor[k]), distance[j] + distance[k]);
-        const double c =
-            0.5 * (squared_distance[j] + squared_distance[k] - pair_distance * pair_distance);
-        position[j] = position[j] + c * offset[k];
-        if(k < j)
-          position[k] = position[k] + c * offset[j];
-      }
-    const auto w = reconstruction_weights(position, inverse_square, regularization);
-    Vec2 image = {0., 0.};
-    for(std::size_t j = 0; j < number_of_neighbors; ++j)
-      image = image + w[j] * images[neighbor[j]];
-    result[vertex] = image;
-  }
+    if(base.neighbor[base.number_of_nearest * vertex] != none)
+      result[vertex] = image_of(vertex);
   return result;
 }
 

@@ -126,6 +126,52 @@ std::array<double, 3> project_to_psd(double a, double b, double c)
   return {scale * (radius + half), scale * b, scale * (radius - half)};
 }
 
+// The derivatives of the energy of a triangle, with the eigenvalues of its projected Hessian.
+struct Energy_derivatives
+{
+  Energy_derivatives(const Jacobian_svd& j, double regularization)
+  {
+    const Regularized_energy e(j, regularization);
+    const double d = j.s[0] * j.s[1], q = e.square;
+    std::array<double, 2> second;
+    for(int i = 0; i < 2; ++i)
+    {
+      const double s = j.s[i], other = j.s[1 - i];
+      first[i] = 2. * s * (1. + e.inverse) - 2. * q * other * e.first;
+      second[i] = 2. * (1. + e.inverse) - 8. * d * e.first - 2. * q * other * other * e.second;
+    }
+    const double mixed_derivative = -6. * q * e.first - 2. * q * d * e.second;
+    // The eigenvalue of the reflection is never negative.
+    twist_eigenvalue = std::max(0., 2. * (1. + e.inverse) - 2. * q * e.first);
+    flip_eigenvalue = 2. * (1. + e.inverse) + 2. * q * e.first;
+    stretch_hessian = project_to_psd(second[0], mixed_derivative, second[1]);
+  }
+
+  std::array<double, 2> first;           // by the singular values
+  std::array<double, 3> stretch_hessian; // by the singular values: rows (a, b) and (b, c)
+  double twist_eigenvalue, flip_eigenvalue;
+};
+
+// Returns the eigenmodes in the coordinates of the corners: stretching along both singular
+// directions, rotation (twist) and reflection (flip).
+std::array<std::array<double, 6>, 4> eigenmodes(const Rest_triangle& rest, const Jacobian_svd& j)
+{
+  const Vec2 u = j.u, u2 = rotated_left(u), v = j.v, v2 = rotated_left(v);
+  std::array<std::array<double, 6>, 4> mode;
+  for(int k = 0; k < 3; ++k)
+  {
+    const double g = dot(rest.gradient[k], v), g2 = dot(rest.gradient[k], v2);
+    for(int axis = 0; axis < 2; ++axis)
+    {
+      mode[0][2 * k + axis] = g * u[axis];
+      mode[1][2 * k + axis] = g2 * u2[axis];
+      mode[2][2 * k + axis] = g * u2[axis] - g2 * u[axis];
+      mode[3][2 * k + axis] = g * u2[axis] + g2 * u[axis];
+    }
+  }
+  return mode;
+}
+
 class Symmetric_dirichlet
 {
 public:
@@ -171,49 +217,22 @@ public:
     {
       const Rest_triangle& rest = m_rest_triangles[f];
       const Jacobian_svd j = jacobian_svd(rest, corners(image, f));
-      const Regularized_energy e(j, m_regularization);
-      const double d = j.s[0] * j.s[1], q = e.square;
-      std::array<double, 2> first, second;
-      for(int i = 0; i < 2; ++i)
-      {
-        const double s = j.s[i], other = j.s[1 - i];
-        first[i] = 2. * s * (1. + e.inverse) - 2. * q * other * e.first;
-        second[i] = 2. * (1. + e.inverse) - 8. * d * e.first - 2. * q * other * other * e.second;
-      }
-      const double mixed_derivative = -6. * q * e.first - 2. * q * d * e.second;
-      // Eigenmodes: stretching along both singular directions, rotation (twist) and reflection
-      // (flip).  The eigenvalue of the reflection is never negative.
-      const double twist_eigenvalue = std::max(0., 2. * (1. + e.inverse) - 2. * q * e.first);
-      const double flip_eigenvalue = 2. * (1. + e.inverse) + 2. * q * e.first;
-      const std::array<double, 3> stretch_hessian =
-          project_to_psd(second[0], mixed_derivative, second[1]);
-      const Vec2 u = j.u, u2 = rotated_left(u), v = j.v, v2 = rotated_left(v);
-      std::array<std::array<double, 6>, 4> mode;
-      for(int k = 0; k < 3; ++k)
-      {
-        const double g = dot(rest.gradient[k], v), g2 = dot(rest.gradient[k], v2);
-        for(int axis = 0; axis < 2; ++axis)
-        {
-          mode[0][2 * k + axis] = g * u[axis];
-          mode[1][2 * k + axis] = g2 * u2[axis];
-          mode[2][2 * k + axis] = g * u2[axis] - g2 * u[axis];
-          mode[3][2 * k + axis] = g * u2[axis] + g2 * u[axis];
-        }
-      }
+      const Energy_derivatives e(j, m_regularization);
+      const std::array<std::array<double, 6>, 4> mode = eigenmodes(rest, j);
       for(int r = 0; r < 6; ++r)
       {
-        gradient[unknown(f, r)] += rest.area * (first[0] * mode[0][r] + first[1] * mode[1][r]);
+        gradient[unknown(f, r)] += rest.area * (e.first[0] * mode[0][r] + e.first[1] * mode[1][r]);
         for(int c = 0; c < 6; ++c)
         {
           const int row = unknown(f, r), column = unknown(f, c);
           if(row < column)
             continue;
           const double sum =
-              stretch_hessian[0] * mode[0][r] * mode[0][c] +
-              stretch_hessian[2] * mode[1][r] * mode[1][c] +
-              stretch_hessian[1] * (mode[0][r] * mode[1][c] + mode[1][r] * mode[0][c]) +
-              0.5 * twist_eigenvalue * mode[2][r] * mode[2][c] +
-              0.5 * flip_eigenvalue * mode[3][r] * mode[3][c];
+              e.stretch_hessian[0] * mode[0][r] * mode[0][c] +
+              e.stretch_hessian[2] * mode[1][r] * mode[1][c] +
+              e.stretch_hessian[1] * (mode[0][r] * mode[1][c] + mode[1][r] * mode[0][c]) +
+              0.5 * e.twist_eigenvalue * mode[2][r] * mode[2][c] +
+              0.5 * e.flip_eigenvalue * mode[3][r] * mode[3][c];
           value[entry_index(row, column)] += rest.area * sum;
         }
       }

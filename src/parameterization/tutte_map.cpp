@@ -109,17 +109,13 @@ void check_is_disk(const Surface_arrays& t)
         "can be flattened.");
 }
 
-std::vector<Vec2> tutte_map(const Surface_arrays& t)
-{
-  const auto loops = boundary_loops(t);
-  std::vector<Vec2> image(t.number_of_vertices(), Vec2{0., 0.});
-  std::vector<bool> is_fixed(t.number_of_vertices(), false);
-  for(const auto& [vertex, p] : boundary_on_circle(t, loops.front()))
-  {
-    image[vertex] = p;
-    is_fixed[vertex] = true;
-  }
+namespace {
 
+// Sets the image of each vertex that is not fixed to the mean of its neighbors.  Each boundary loop
+// except the first one is filled with a vertex that is connected to all its vertices.
+void solve_for_means(const Surface_arrays& t, const std::vector<std::vector<Index>>& loops,
+                     const std::vector<bool>& is_fixed, std::vector<Vec2>& image)
+{
   std::vector<int> unknown(t.number_of_vertices(), -1);
   int number_of_unknowns = 0;
   for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
@@ -164,6 +160,21 @@ std::vector<Vec2> tutte_map(const Surface_arrays& t)
   for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
     if(unknown[vertex] >= 0)
       image[vertex] = {rhs(unknown[vertex], 0), rhs(unknown[vertex], 1)};
+}
+
+} // namespace
+
+std::vector<Vec2> tutte_map(const Surface_arrays& t)
+{
+  const auto loops = boundary_loops(t);
+  std::vector<Vec2> image(t.number_of_vertices(), Vec2{0., 0.});
+  std::vector<bool> is_fixed(t.number_of_vertices(), false);
+  for(const auto& [vertex, p] : boundary_on_circle(t, loops.front()))
+  {
+    image[vertex] = p;
+    is_fixed[vertex] = true;
+  }
+  solve_for_means(t, loops, is_fixed, image);
   if(const double scale = scale_to_area(t, image); scale > 0.)
     for(Vec2& p : image)
       p = scale * p;
