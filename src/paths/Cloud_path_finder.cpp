@@ -76,46 +76,7 @@ Cloud_path_options validated(Cloud_path_options options)
 Fitted_cloud::Fitted_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
                            const std::vector<double>& radii, const Cloud_path_options& options)
     : m_options(validated(options)),
-      m_cloud(
-          [&]
-          {
-            const unsigned threads = options.cloud.threads;
-            const auto store_given_cloud = [&]
-            {
-              Surfel_cloud_options default_options;
-              default_options.threads = threads;
-              m_given_cloud = make_cloud(points, normals, {}, default_options);
-              m_coverage = std::make_unique<Surfel_coverage>(m_given_cloud, threads);
-              m_given_cloud.graph = {};
-            };
-            const auto build = [&](const Frame* frame) {
-              return make_cloud(std::move(points), std::move(normals), radii, options.cloud, frame);
-            };
-            check_sizes(points.size(), normals.size(), radii.size());
-            if(options.noise != Surfel_noise::kept)
-              m_noise = noise_level(points, normals, threads);
-            const bool is_conditional = options.noise == Surfel_noise::removed_when_found;
-            if(options.noise == Surfel_noise::kept ||
-               (is_conditional && m_noise < significant_noise_level))
-            {
-              // Coverage is defined by the graph of extended spheres with default radii.
-              if(options.cloud.graph != Surfel_graph::extended_spheres || !radii.empty())
-                store_given_cloud();
-              return build(m_given_cloud.number_of_vertices() == 0 ? nullptr
-                                                                   : &m_given_cloud.frame);
-            }
-            store_given_cloud();
-            // If the noise level is high, normals are so inaccurate that one pass is not enough.
-            double noise_level_left = m_noise;
-            for(int i = 0;
-                i < max_denoising_passes && (i == 0 || noise_level_left > residual_noise); ++i)
-            {
-              denoise(points, normals, threads);
-              noise_level_left = noise_level(points, normals, threads);
-            }
-            limit_displacements(points, threads);
-            return build(&m_given_cloud.frame);
-          }()),
+      m_cloud(build_cloud(std::move(points), std::move(normals), radii, options)),
       m_given_vertex(
           [&]
           {
@@ -133,6 +94,46 @@ Fitted_cloud::Fitted_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
   if(options.search == Surfel_search::coarse_to_fine &&
      m_cloud.number_of_vertices() > small_cloud_size)
     m_regions = make_regions(m_cloud.graph, m_cloud.point, m_cloud.component);
+}
+
+Surfel_cloud Fitted_cloud::build_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
+                                       const std::vector<double>& radii,
+                                       const Cloud_path_options& options)
+{
+  const unsigned threads = options.cloud.threads;
+  const auto build = [&](const Frame* frame)
+  { return make_cloud(std::move(points), std::move(normals), radii, options.cloud, frame); };
+  check_sizes(points.size(), normals.size(), radii.size());
+  if(options.noise != Surfel_noise::kept)
+    m_noise = noise_level(points, normals, threads);
+  const bool is_conditional = options.noise == Surfel_noise::removed_when_found;
+  if(options.noise == Surfel_noise::kept || (is_conditional && m_noise < significant_noise_level))
+  {
+    // Coverage is defined by the graph of extended spheres with default radii.
+    if(options.cloud.graph != Surfel_graph::extended_spheres || !radii.empty())
+      store_given_cloud(points, normals, threads);
+    return build(m_given_cloud.number_of_vertices() == 0 ? nullptr : &m_given_cloud.frame);
+  }
+  store_given_cloud(points, normals, threads);
+  // If the noise level is high, normals are so inaccurate that one pass is not enough.
+  double noise_level_left = m_noise;
+  for(int i = 0; i < max_denoising_passes && (i == 0 || noise_level_left > residual_noise); ++i)
+  {
+    denoise(points, normals, threads);
+    noise_level_left = noise_level(points, normals, threads);
+  }
+  limit_displacements(points, threads);
+  return build(&m_given_cloud.frame);
+}
+
+void Fitted_cloud::store_given_cloud(const std::vector<Vec3>& points,
+                                     const std::vector<Vec3>& normals, unsigned threads)
+{
+  Surfel_cloud_options default_options;
+  default_options.threads = threads;
+  m_given_cloud = make_cloud(points, normals, {}, default_options);
+  m_coverage = std::make_unique<Surfel_coverage>(m_given_cloud, threads);
+  m_given_cloud.graph = {};
 }
 
 // Limits the displacement of denoised surfels: they stay in the region covered by the given

@@ -33,6 +33,70 @@ void for_each_incident_triangle(const Surface_arrays& t, const Surface_location&
   }
 }
 
+// Dijkstra's algorithm on the edges of the vertices that it visits.
+class Edge_search
+{
+public:
+  // Records a path of edges to a vertex if it is shorter than the known one.
+  //
+  // from  the previous vertex of the path, or `none`
+  void relax(Index vertex, double length, Index from)
+  {
+    const auto [entry, is_new] = m_visited.try_emplace(vertex, Visited_vertex{length, from});
+    if(is_new || length < entry->second.length)
+    {
+      entry->second = {length, from};
+      m_queue.emplace(length, vertex);
+    }
+  }
+  // Relaxes along all edges of a vertex.
+  void relax_edges(const Surface_arrays& t, Index vertex)
+  {
+    const double length = m_visited.find(vertex)->second.length;
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+    {
+      const Index corner = t.ring[i], previous = previous_halfedge(corner);
+      relax(t.corner[next_halfedge(corner)], length + t.length[corner], vertex);
+      relax(t.corner[previous], length + t.length[previous], vertex);
+    }
+  }
+  // Finalizes the closest vertex and returns it, or `none` if all visited vertices are final.
+  Index finalize_next()
+  {
+    while(!m_queue.empty())
+    {
+      const Index vertex = m_queue.top().second;
+      m_queue.pop();
+      if(Visited_vertex& visited = m_visited.find(vertex)->second; !visited.is_final)
+      {
+        visited.is_final = true;
+        return vertex;
+      }
+    }
+    return none;
+  }
+  // Returns the vertices of the path to a vertex, in reverse order.
+  std::vector<Index> reverse_path(Index vertex) const
+  {
+    std::vector<Index> result;
+    for(; vertex != none; vertex = m_visited.find(vertex)->second.from)
+      result.push_back(vertex);
+    return result;
+  }
+
+private:
+  struct Visited_vertex
+  {
+    double length;
+    Index from;
+    bool is_final = false;
+  };
+  using Entry = std::pair<double, Index>;
+
+  std::unordered_map<Index, Visited_vertex> m_visited;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
+};
+
 } // namespace
 
 Descent::Descent(const Surface_arrays& t, const std::vector<Front_source>& sources) : m_triangles(t)
@@ -239,32 +303,27 @@ struct Descent::Tracer
     }
   }
 
+  // Returns whether an incident triangle of a vertex contains a source.
+  bool has_incident_source(Index vertex) const
+  {
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+    {
+      const Index triangle = t.ring[i] / 3;
+      const auto piece = first_piece(triangle);
+      if(piece != descent.m_pieces.end() && piece->triangle == triangle)
+        return true;
+    }
+    return false;
+  }
+
   // Moves along the shortest path of edges to a vertex with a smaller value, or to one with a
   // source in an incident triangle.  Returns false if there is no such vertex.
   bool escape_local_minimum()
   {
-    struct Visited_vertex
-    {
-      double length;
-      Index from;
-      bool is_final = false;
-    };
-    std::unordered_map<Index, Visited_vertex> visited_vertices;
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    const auto relax = [&](Index vertex, double length, Index from)
-    {
-      const auto [entry, is_new] =
-          visited_vertices.try_emplace(vertex, Visited_vertex{length, from});
-      if(is_new || length < entry->second.length)
-      {
-        entry->second = {length, from};
-        queue.emplace(length, vertex);
-      }
-    };
+    Edge_search search;
     const Index start_vertex = vertex_of(t, current);
     if(start_vertex != none)
-      relax(start_vertex, 0., none);
+      search.relax(start_vertex, 0., none);
     else
       for_each_incident_triangle(
           t, current,
@@ -272,39 +331,20 @@ struct Descent::Tracer
           {
             const auto barycentric = *barycentric_in(t, triangle, current);
             for(Index c = 3 * triangle; c < 3 * triangle + 3; ++c)
-              relax(t.corner[c],
-                    distance_in_triangle(t, triangle, barycentric, barycentric_at_corner(c)), none);
+              search.relax(t.corner[c],
+                           distance_in_triangle(t, triangle, barycentric, barycentric_at_corner(c)),
+                           none);
           });
-    while(!queue.empty())
+    for(Index vertex = search.finalize_next(); vertex != none; vertex = search.finalize_next())
     {
-      const auto [length, vertex] = queue.top();
-      queue.pop();
-      Visited_vertex& current_entry = visited_vertices.find(vertex)->second;
-      if(current_entry.is_final)
-        continue;
-      current_entry.is_final = true;
-      bool is_goal = distance(vertex) < value;
-      for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1] && !is_goal; ++i)
+      if(distance(vertex) < value || has_incident_source(vertex))
       {
-        const Index triangle = t.ring[i] / 3;
-        const auto piece = first_piece(triangle);
-        is_goal = piece != descent.m_pieces.end() && piece->triangle == triangle;
-      }
-      if(is_goal)
-      {
-        std::vector<Index> predecessors;
-        for(Index s = vertex; s != none; s = visited_vertices.find(s)->second.from)
-          predecessors.push_back(s);
-        for(auto s = predecessors.rbegin(); s != predecessors.rend(); ++s)
-          move_to(vertex_location(t, *s));
+        const std::vector<Index> vertices = search.reverse_path(vertex);
+        for(auto v = vertices.rbegin(); v != vertices.rend(); ++v)
+          move_to(vertex_location(t, *v));
         return true;
       }
-      for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
-      {
-        const Index corner = t.ring[i], previous = previous_halfedge(corner);
-        relax(t.corner[next_halfedge(corner)], length + t.length[corner], vertex);
-        relax(t.corner[previous], length + t.length[previous], vertex);
-      }
+      search.relax_edges(t, vertex);
     }
     return false;
   }

@@ -22,6 +22,21 @@ bool is_incident(const Surface_arrays& t, Index h, Index vertex, Index location_
   return location_halfedge != none && (h == location_halfedge || t.twin[h] == location_halfedge);
 }
 
+// Returns the direction of an edge.  An edge of length zero is treated as the limit of short ones.
+//
+// across       the edge, from its left to its right endpoint
+// forward      the vector to the edge from the opposite corner
+// alternative  the result if both vectors are zero
+Vec2 edge_direction(const Vec2& across, const Vec2& forward, const Vec2& alternative)
+{
+  const double length = norm(across), forward_length = norm(forward);
+  if(length > 0.)
+    return (1. / length) * across;
+  if(forward_length > 0.)
+    return (-1. / forward_length) * rotated_left(forward);
+  return alternative;
+}
+
 } // namespace
 
 void Strip::trim(const Surface_arrays& t, const Surface_location& begin,
@@ -72,11 +87,7 @@ void Unfolded_strip::unfold(const Surface_arrays& t, const Strip& strip,
     left[i] = left_end;
     right[i] = right_end;
     const Index entered = t.twin[strip.halfedges[i]];
-    const double length = norm(across), forward_length = norm(forward);
-    if(length > 0.)
-      direction = (1. / length) * across;
-    else if(forward_length > 0.) // an edge of length zero is treated as the limit of short ones
-      direction = (-1. / forward_length) * rotated_left(forward);
+    direction = edge_direction(across, forward, direction);
     const double base = t.length[entered];
     const Vec2 local =
         third_corner(base, t.length[previous_halfedge(entered)], t.length[next_halfedge(entered)]);

@@ -67,6 +67,12 @@ private:
     return m_given_vertex.empty() ? vertex : m_given_vertex[vertex];
   }
 
+  // Sets m_noise and returns the cloud, without noise if requested.  Sets m_given_cloud and
+  // m_coverage if they differ from those of the result.
+  Surfel_cloud build_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
+                           const std::vector<double>& radii, const Cloud_path_options& options);
+  void store_given_cloud(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+                         unsigned threads);
   void limit_displacements(std::vector<Vec3>& points, unsigned threads) const;
 
   double m_noise = 0.;
