@@ -19,6 +19,23 @@ inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c)
   return norm(cross(b - a, c - a)) > 0.;
 }
 
+// Computes the barycentric coordinates of the point of a triangle that is closest to p.  Returns
+// its squared distance, or infinity if the triangle is `none`, degenerate or not open.
+template <typename IsOpen>
+double locate_in_open_triangle(const Surface_arrays& t, Index f, const Vec3& p,
+                               const IsOpen& is_open, std::array<double, 3>& nearest)
+{
+  if(f == none || !is_open(f))
+    return infinity;
+  const Index* const corner = &t.corner[3 * std::size_t(f)];
+  const Vec3 &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
+  if(!has_area(a, b, c))
+    return infinity;
+  nearest = nearest_in_triangle(a, b, c, p);
+  const Vec3 offset = nearest[0] * a + nearest[1] * b + nearest[2] * c - p;
+  return dot(offset, offset);
+}
+
 // Walks from triangle to triangle to a point of the surface at a local minimum of the distance to
 // p, and returns it.  The distance decreases in each step.  Returns an empty location if the walk
 // reaches the boundary, a wall, or a triangle that is degenerate or not open.
@@ -30,23 +47,12 @@ template <typename IsOpen, typename IsWall>
 Surface_location locate_by_walking(const Surface_arrays& t, Index triangle, const Vec3& p,
                                    const IsOpen& is_open, const IsWall& is_wall)
 {
-  // Returns the squared distance of p to a triangle, infinity if the walk may not enter it.
-  const auto nearest_in = [&](Index f, std::array<double, 3>& nearest)
-  {
-    if(f == none || !is_open(f))
-      return infinity;
-    const Index* const corner = &t.corner[3 * std::size_t(f)];
-    const Vec3 &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
-    if(!has_area(a, b, c))
-      return infinity;
-    nearest = nearest_in_triangle(a, b, c, p);
-    const Vec3 offset = nearest[0] * a + nearest[1] * b + nearest[2] * c - p;
-    return dot(offset, offset);
-  };
+  const auto locate_in = [&](Index f, std::array<double, 3>& nearest)
+  { return locate_in_open_triangle(t, f, p, is_open, nearest); };
 
   Index came_from = none;
   std::array<double, 3> nearest;
-  double min_squared_distance = nearest_in(triangle, nearest);
+  double min_squared_distance = locate_in(triangle, nearest);
   for(int step = 0; min_squared_distance < infinity && step < max_walk_steps; ++step)
   {
     const auto zeros = std::count(nearest.begin(), nearest.end(), 0.);
@@ -62,7 +68,7 @@ Surface_location locate_by_walking(const Surface_arrays& t, Index triangle, cons
       {
         if(t.twin[t.ring[i]] != none && is_wall(t.ring[i]))
           return {};
-        if(const double squared_distance = nearest_in(t.ring[i] / 3, candidate);
+        if(const double squared_distance = locate_in(t.ring[i] / 3, candidate);
            squared_distance < min_squared_distance)
         {
           min_squared_distance = squared_distance;
@@ -85,7 +91,7 @@ Surface_location locate_by_walking(const Surface_arrays& t, Index triangle, cons
       return {triangle, none, nearest};
     came_from = triangle;
     triangle = t.twin[h] / 3;
-    min_squared_distance = nearest_in(triangle, nearest);
+    min_squared_distance = locate_in(triangle, nearest);
   }
   return {};
 }

@@ -275,24 +275,26 @@ std::vector<Voronoi_diagram::Bisector> Voronoi_diagram::bisectors() const
   return result;
 }
 
+std::vector<Index> Voronoi_diagram::add_crossings(Cut_mesh& mesh) const
+{
+  const Surface_arrays& t = *m_triangles;
+  std::vector<Index> result(t.corner.size(), none);
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(t.twin[h] < h)
+      result[h] = result[t.twin[h]];
+    else if(m_labels[t.corner[h]] != none && m_labels[t.corner[next_halfedge(h)]] != none &&
+            is_crossed(h))
+      result[h] = mesh.add_vertex(crossing_location(h));
+  return result;
+}
+
 Voronoi_diagram::Cut_mesh Voronoi_diagram::cut() const
 {
   const Surface_arrays& t = *m_triangles;
   Cut_mesh result;
   for(Index vertex = 0; vertex < m_labels.size(); ++vertex)
     result.vertices.push_back({none, vertex, {}});
-  const auto add_vertex = [&](const Surface_location& location)
-  {
-    result.vertices.push_back(location);
-    return Index(result.vertices.size() - 1);
-  };
-  std::vector<Index> crossing_vertex(t.corner.size(), none); // 3 #triangles: if crossed
-  for(Index h = 0; h < t.corner.size(); ++h)
-    if(t.twin[h] < h)
-      crossing_vertex[h] = crossing_vertex[t.twin[h]];
-    else if(m_labels[t.corner[h]] != none && m_labels[t.corner[next_halfedge(h)]] != none &&
-            is_crossed(h))
-      crossing_vertex[h] = add_vertex(crossing_location(h));
+  const std::vector<Index> crossing_vertex = add_crossings(result);
 
   const auto add_triangle = [&](Index a, Index b, Index c, Index label)
   {
@@ -302,7 +304,7 @@ Voronoi_diagram::Cut_mesh Voronoi_diagram::cut() const
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
     const int number_of_cells = number_of_labels(f);
-    const Index center = number_of_cells == 3 ? add_vertex(triple_point(f)) : none;
+    const Index center = number_of_cells == 3 ? result.add_vertex(triple_point(f)) : none;
     bool is_uncut = true;
     for(Index right = 3 * f; right < 3 * f + 3; ++right)
     {

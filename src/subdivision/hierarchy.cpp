@@ -201,17 +201,25 @@ std::uint64_t edge_key(Index a, Index b)
 
 using Midpoints = std::unordered_map<std::uint64_t, Index>;
 
-} // namespace
-
-Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number_of_vertices,
-                            unsigned max_number_of_levels)
+// A mesh without the levels that could be removed, in the indices of the input.
+struct Coarsened_mesh
 {
-  Subdivision current = subdivide(triangles, number_of_vertices, 0);
-  std::vector<bool> is_midpoint(number_of_vertices, false);
-  std::vector<Midpoints> midpoints; // of each level by edge, coarsest level last
-  while(midpoints.size() < max_number_of_levels && !current.finest().triangles.empty())
+  Subdivision coarsest;
+  std::vector<bool> is_midpoint;    // #vertices: true if it is removed
+  std::vector<Midpoints> midpoints; // of each removed level by edge, coarsest level last
+};
+
+// Removes levels, at most `max_number_of_levels`, until the triangles are not a refinement.
+Coarsened_mesh coarsen(const std::vector<Triangle>& triangles, Index number_of_vertices,
+                       unsigned max_number_of_levels)
+{
+  Coarsened_mesh result = {subdivide(triangles, number_of_vertices, 0),
+                           std::vector<bool>(number_of_vertices, false),
+                           {}};
+  while(result.midpoints.size() < max_number_of_levels &&
+        !result.coarsest.finest().triangles.empty())
   {
-    const auto tiles = Tiling(current.finest()).find();
+    const auto tiles = Tiling(result.coarsest.finest()).find();
     if(!tiles)
       break;
     std::vector<Triangle> coarser;
@@ -232,11 +240,20 @@ Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number
       break; // a coarser mesh would have two edges between the same vertices
     }
     for(const auto& [edge, middle] : edge_midpoints)
-      is_midpoint[middle] = true;
-    midpoints.push_back(std::move(edge_midpoints));
-    current = std::move(next);
+      result.is_midpoint[middle] = true;
+    result.midpoints.push_back(std::move(edge_midpoints));
+    result.coarsest = std::move(next);
   }
+  return result;
+}
 
+} // namespace
+
+Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number_of_vertices,
+                            unsigned max_number_of_levels)
+{
+  auto [coarsest, is_midpoint, midpoints] =
+      coarsen(triangles, number_of_vertices, max_number_of_levels);
   Hierarchy result;
   std::vector<Index> coarse_index(number_of_vertices, none);
   for(Index v = 0; v < number_of_vertices; ++v)
@@ -245,7 +262,7 @@ Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number
       coarse_index[v] = Index(result.input_vertex.size());
       result.input_vertex.push_back(v);
     }
-  std::vector<Triangle> base = current.finest().triangles;
+  std::vector<Triangle> base = coarsest.finest().triangles;
   for(Triangle& t : base)
     for(Index& v : t)
       v = coarse_index[v];

@@ -54,6 +54,12 @@ public:
     std::vector<Index> corners; // 3 #triangles
     // #triangles: the cell, or none if a corner of the original triangle is unreached.
     std::vector<Index> labels;
+
+    Index add_vertex(const Surface_location& location)
+    {
+      vertices.push_back(location);
+      return Index(vertices.size() - 1);
+    }
   };
   // Splits a mesh along all bisectors. O(n).
   Cut_mesh cut() const;
@@ -80,6 +86,8 @@ private:
   Surface_location triple_point(Index triangle) const;
   bool is_crossed(Index h) const;
   int number_of_labels(Index triangle) const;
+  // Adds a vertex for each crossed edge.  Returns for each halfedge that vertex, or none.
+  std::vector<Index> add_crossings(Cut_mesh& mesh) const;
 
   std::shared_ptr<const Surface_arrays> m_triangles;
   std::shared_ptr<const std::vector<double>> m_slowness;
