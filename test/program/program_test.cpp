@@ -837,11 +837,11 @@ TEST_F(Program, wavelet_error_decreases_with_details_and_bits)
   EXPECT_EQ(json("wavelet levels.off --levels 1 --predictor linear")["base_vertices"], 642);
   expect_failure("wavelet levels.off --keep 101", 1, "percentage");
   expect_failure("wavelet levels.off --bits 0", 1, "positive");
-  expect_failure("wavelet levels.off --bits 0.01", 2, "too few");
+  expect_failure("wavelet levels.off --bits 0.01", 2, "too small");
   expect_failure("wavelet levels.off --predictor magic", 1, "butterfly");
   expect_failure("wavelet levels.off -o a.stl", 1, ".gpw");
   expect_failure("wavelet square.ply", 2, "no coarser level");
-  expect_failure("wavelet cloud.xyz", 2, "no faces");
+  expect_failure("wavelet cloud.xyz", 2, "needs a mesh");
   write("bad.gpw", "GPW1 and more");
   expect_failure("info bad.gpw", 2, "header");
 }
