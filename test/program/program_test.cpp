@@ -202,12 +202,13 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("info square.ply --what", 1, "--what");
   expect_failure("distance square.ply", 1, "--source");
   expect_failure("distance square.ply --source one", 1, "'one'");
-  expect_failure("distance square.ply --source 1,,2", 1, "not the number of a vertex");
+  expect_failure("distance square.ply --source 1,,2", 1, "not a vertex index");
   expect_failure("distance square.ply --source-at 1,2", 1, "x,y,z");
   expect_failure("distance square.ply --source-at 1,2,nan", 1, "x,y,z");
   expect_failure("distance square.ply --source 0,1 --method spectral", 1, "one source");
   expect_failure("distance square.ply --source 0 --basis 3", 1, "--basis");
-  expect_failure("path square.ply --from 0 --to 1 --method spectral", 1, "only distance");
+  expect_failure("path square.ply --from 0 --to 1 --method spectral", 1,
+                 "only the commands distance and matrix");
   expect_failure("distance square.ply --source 0 --method fast", 1, "the methods are");
   expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
   expect_failure("distance square.ply --source 0 --speed colours --strength -1", 1, "--strength");
@@ -270,10 +271,11 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("matrix square.ply --limit inf", 1, "--limit");
   expect_failure("matrix square.ply --number 0", 1, "at least one row");
   expect_failure("matrix square.ply --number 2 --sources 1", 1, "--sources");
-  expect_failure("matrix square.ply --sources 1,2,1", 1, "vertex 1 comes twice");
+  expect_failure("matrix square.ply --sources 1,2,1", 1, "vertex 1 is listed twice");
   expect_failure("matrix square.ply --number 2 --limit -1", 1, "--limit");
   expect_failure("matrix square.ply --number 2 --limit nan", 1, "--limit");
-  expect_failure("matrix square.ply --number 2 --method biharmonic --limit 1", 1, "no limit");
+  expect_failure("matrix square.ply --number 2 --method biharmonic --limit 1", 1,
+                 "not support --limit");
   expect_failure("matrix square.ply --number 2 -o a.ply", 1, ".mtx");
 }
 
@@ -287,19 +289,19 @@ TEST_F(Program, exits_with_2_on_bad_input)
     expect_failure(command, 2, "cut.off: ");
   expect_failure("distance square.ply --source 81", 2, "square.ply: there is no vertex 81");
   expect_failure("matrix square.ply --sources 3,81", 2, "square.ply: there is no vertex 81");
-  expect_failure("matrix cloud.xyz --number 2 --method exact", 2, "need a mesh");
+  expect_failure("matrix cloud.xyz --number 2 --method exact", 2, "needs a mesh");
   expect_failure("remesh cloud.xyz --number 9 --fill-holes", 2, "needs a mesh");
   expect_failure("distance square.ply --source 0 --speed wind", 2, "only double_speed");
   expect_failure("voronoi square.ply --number 2 --speed wind", 2, "only double_speed");
   expect_failure("sample square.ply --number 2 --speed colours", 2, "no red, green and blue");
-  expect_failure("distance closed.off --source-border", 2, "no border");
-  expect_failure("distance cloud.xyz --source-border", 2, "no border");
-  expect_failure("distance cloud.xyz --source 0 --method exact", 2, "need a mesh");
-  expect_failure("path cloud.xyz --from 0 --to 1 --method exact", 2, "need a mesh");
-  expect_failure("surfels square.ply", 2, "points alone");
-  expect_failure("logmap cloud.xyz --base 1 --method exact", 2, "need a mesh");
-  expect_failure("logmap cloud.xyz --base 1 --distances exact", 2, "need a mesh");
-  expect_failure("decal cloud.xyz --base 1 --method exact", 2, "need a mesh");
+  expect_failure("distance closed.off --source-border", 2, "no boundary");
+  expect_failure("distance cloud.xyz --source-border", 2, "no boundary");
+  expect_failure("distance cloud.xyz --source 0 --method exact", 2, "needs a mesh");
+  expect_failure("path cloud.xyz --from 0 --to 1 --method exact", 2, "needs a mesh");
+  expect_failure("surfels square.ply", 2, "needs a cloud");
+  expect_failure("logmap cloud.xyz --base 1 --method exact", 2, "needs a mesh");
+  expect_failure("logmap cloud.xyz --base 1 --distances exact", 2, "needs a mesh");
+  expect_failure("decal cloud.xyz --base 1 --method exact", 2, "needs a mesh");
   expect_failure("decal cloud.xyz --base 1 -o d.obj", 2, "no faces");
   expect_failure("decal square.ply --base 81", 2, "square.ply: there is no vertex 81");
   expect_failure("decal square.ply --base 40 --image none.png", 2,

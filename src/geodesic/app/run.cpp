@@ -44,7 +44,10 @@ int run(int argc, char** argv)
   // process.
   std::signal(SIGPIPE, SIG_IGN);
 
-  CLI::App program("Geodesics on triangle meshes and point clouds.", "geodesic");
+  CLI::App program(
+      "Geodesic distances, shortest paths and related algorithms on triangle meshes and "
+      "point clouds.",
+      "geodesic");
   program.require_subcommand(1);
   program.set_version_flag("--version", "geodesic 0.1.0");
   add_info(program);
@@ -106,7 +109,7 @@ int run(int argc, char** argv)
   }
   catch(const std::bad_alloc&)
   {
-    return fail(bad_input, input_prefix(program) + "it needs more memory than there is.");
+    return fail(bad_input, input_prefix(program) + "there is not enough memory.");
   }
   catch(const std::exception& error)
   {
