@@ -196,8 +196,9 @@ std::set<std::string> keys(const nlohmann::json& object)
 
 TEST_F(Program, exits_with_1_on_wrong_usage)
 {
-  expect_failure("", 1, "--help");
-  expect_failure("fly square.ply", 1, "--help");
+  expect_failure("", 1, "a command is required; see geodesic --help");
+  expect_failure("fly square.ply", 1, "there is no command 'fly'; see geodesic --help");
+  expect_failure("--fly", 1, "there is no option '--fly'");
   expect_failure("info", 1, "INPUT");
   expect_failure("info square.ply --what", 1, "--what");
   expect_failure("distance square.ply", 1, "--source");

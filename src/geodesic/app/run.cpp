@@ -3,6 +3,7 @@
 #include "app/run.h"
 
 #include "app/commands.h"
+#include "io/Scanner.h"
 #include "io/errors.h"
 
 #include <CGAL/Geodesic_processing/exceptions.h>
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace program {
 
@@ -25,6 +27,19 @@ int fail(Exit_code code, std::string message)
     c = c == '\n' || c == '\r' ? ' ' : c;
   std::fprintf(stderr, "geodesic: %s\n", message.c_str());
   return code;
+}
+
+// Returns the message of a parser error. The parser does not name a command that does not exist.
+std::string usage_message(const CLI::App& program, const CLI::ParseError& error)
+{
+  if(!program.get_subcommands().empty())
+    return error.what();
+  const std::vector<std::string> words = program.remaining();
+  if(words.empty())
+    return "a command is required";
+  const bool is_option = words.front().rfind('-', 0) == 0;
+  return std::string("there is no ") + (is_option ? "option '" : "command '") +
+         printable(words.front()) + "'";
 }
 
 // Returns a prefix with the input's file name, for errors that do not contain it.
@@ -85,7 +100,7 @@ int run(int argc, char** argv)
       program.exit(error); // prints help or the version
       return std::fflush(stdout) == 0 ? success : not_written;
     }
-    return fail(wrong_usage, std::string(error.what()) + "; see geodesic --help.");
+    return fail(wrong_usage, usage_message(program, error) + "; see geodesic --help.");
   }
   catch(const Usage_error& error)
   {
