@@ -210,7 +210,10 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("distance square.ply --source 0 --basis 3", 1, "--basis");
   expect_failure("path square.ply --from 0 --to 1 --method spectral", 1,
                  "only the commands distance and matrix");
-  expect_failure("distance square.ply --source 0 --method fast", 1, "the methods are");
+  for(const char* const command :
+      {"distance square.ply --source 0", "matrix square.ply --number 2"})
+    expect_failure(std::string(command) + " --method fast", 1,
+                   "exact, heat, spectral, emd and biharmonic");
   expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
   expect_failure("distance square.ply --source 0 --speed colours --strength -1", 1, "--strength");
   expect_failure("distance square.ply --source 0 --speed colours --strength nan", 1, "--strength");
@@ -879,6 +882,7 @@ TEST_F(Program, logmap_writes_normal_coordinates)
   expect_failure("logmap square.ply", 1, "--base");
   expect_failure("logmap square.ply --base 1 --base-at 0,0,0", 1, "--base");
   expect_failure("logmap square.ply --base 1 --method flat", 1, "gradient");
+  expect_failure("logmap square.ply --base 1 --distances emd", 1, "--distances emd");
   expect_failure("logmap square.ply --base 40 --up 0,0,1", 2, "normal to the surface");
 }
 

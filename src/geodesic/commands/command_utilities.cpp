@@ -11,6 +11,16 @@
 
 namespace program {
 
+namespace {
+
+bool is_solver_method(const std::string& method)
+{
+  return method == "dijkstra" || method == "fast-marching" || method == "euclidean" ||
+         method == "exact" || method == "heat";
+}
+
+} // namespace
+
 bool is_metric(const std::string& method)
 {
   return method == "spectral" || method == "emd" || method == "biharmonic";
@@ -22,16 +32,22 @@ void check_basis(const std::string& method, const std::optional<std::size_t>& ba
     throw Usage_error("--basis: only the method emd has a basis.");
 }
 
-void check_method(const std::string& method)
+void check_method(const std::string& method, const std::string& option)
 {
-  const auto is_one_of = [&method](std::initializer_list<const char*> names)
-  { return std::find(names.begin(), names.end(), method) != names.end(); };
   if(is_metric(method))
-    throw Usage_error("--method " + method +
+    throw Usage_error(option + " " + method +
                       ": only the commands distance and matrix support this method.");
-  if(!is_one_of({"dijkstra", "fast-marching", "euclidean", "exact", "heat"}))
-    throw Usage_error("--method " + printable(method) +
+  if(!is_solver_method(method))
+    throw Usage_error(option + " " + printable(method) +
                       ": the methods are dijkstra, fast-marching, euclidean, exact and heat.");
+}
+
+void check_method_or_metric(const std::string& method)
+{
+  if(!is_metric(method) && !is_solver_method(method))
+    throw Usage_error("--method " + printable(method) +
+                      ": the methods are dijkstra, fast-marching, euclidean, exact, heat, "
+                      "spectral, emd and biharmonic.");
 }
 
 GP::internal::Distance_method to_method(const std::string& method)

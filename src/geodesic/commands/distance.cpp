@@ -111,11 +111,10 @@ void check(const Distance_options& options)
     parse_indices(options.source, "--source");
   if(!options.source_at.empty())
     parse_point(options.source_at, "--source-at");
-  if(!is_metric(options.method))
-    check_method(options.method);
-  else if(options.use_boundary || std::isfinite(options.max_distance) ||
-          options.source.empty() == options.source_at.empty() ||
-          options.source.find(',') != std::string::npos)
+  check_method_or_metric(options.method);
+  if(is_metric(options.method) && (options.use_boundary || std::isfinite(options.max_distance) ||
+                                   options.source.empty() == options.source_at.empty() ||
+                                   options.source.find(',') != std::string::npos))
     throw Usage_error("--method " + options.method +
                       ": this method supports exactly one source (--source or --source-at) and no "
                       "--limit.");

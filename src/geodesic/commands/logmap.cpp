@@ -92,7 +92,7 @@ void check(const Logmap_options& options)
      options.method != "discrete-exponential")
     throw Usage_error("--method " + printable(options.method) +
                       ": the methods are gradient, exact and discrete-exponential.");
-  check_method(options.distances);
+  check_method(options.distances, "--distances");
 }
 
 double largest_radius(const std::vector<std::array<double, 2>>& uv)

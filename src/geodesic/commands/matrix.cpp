@@ -185,9 +185,8 @@ void check(const Matrix_options& options)
       throw Usage_error("--sources: vertex " + std::to_string(*duplicate) + " is listed twice.");
   }
   check_basis(options.method, options.basis_size);
-  if(!is_metric(options.method))
-    check_method(options.method);
-  else if(options.is_sparse())
+  check_method_or_metric(options.method);
+  if(is_metric(options.method) && options.is_sparse())
     throw Usage_error("--method " + options.method + ": this method does not support --limit.");
 }
 
