@@ -269,7 +269,8 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("atlas square.ply --number 2 --image nowhere.png", 2, "nowhere.png");
   expect_failure("atlas square.ply --number 60 --texels 16", 2, "do not fit");
   expect_failure("atlas cloud.xyz --number 2", 2, "cloud.xyz");
-  expect_failure("semiregular square.ply --number 9 --levels 9", 1, "--levels");
+  expect_failure("semiregular square.ply --number 9 --levels 9", 1,
+                 "--levels: 9 is not in the range [0, 8]");
   expect_failure("semiregular square.ply --number 9 --maximum-deviation -1", 1,
                  "--maximum-deviation");
   expect_failure("matrix square.ply --limit inf", 1, "--limit");
