@@ -698,7 +698,9 @@ TEST_F(Program, volume_computes_distances_and_paths)
   expect_failure("volume o.off --from 0,0,0 --to 1,1,1 --slice z,0", 1, "--to or --slice");
   expect_failure("volume o.off --from 0,0 --to 1,1,1", 1, "x,y,z");
   expect_failure("volume o.off --from 0,0,0 --slice w,0", 1, "like z,0.5");
-  expect_failure("volume o.off --from 0,0,0 --slice z,a", 1, "--slice");
+  for(const char* const slice : {"z,a", "z,", "z", "z,inf", "z,1,2"})
+    expect_failure(std::string("volume o.off --from 0,0,0 --slice ") + slice, 1,
+                   std::string("--slice ") + slice + ": a slice must be an axis and a number");
   expect_failure("volume o.off --from 0,0,0 --to 1,0,0 --tolerance 0", 1, "--tolerance");
   expect_failure("volume o.off --from 0,0,0 --to 3,0,0 --path", 2, "different sides");
   expect_failure("volume square.ply --from 0,0,0 --to 1,0,0", 2, "not closed");

@@ -32,9 +32,13 @@ struct Slice
 Slice parse_slice(const std::string& text)
 {
   const std::size_t axis = std::string("xyz").find(text.substr(0, 1));
-  if(text.size() < 3 || text[1] != ',' || axis > 2)
-    throw Usage_error("--slice " + text + ": a slice must be an axis and a number, like z,0.5.");
-  return {axis, parse_point("0,0," + text.substr(2), "--slice")[2]};
+  const std::optional<double> offset = text.size() > 2 && text[1] == ','
+                                           ? to_number(std::string_view(text).substr(2))
+                                           : std::nullopt;
+  if(axis > 2 || !offset || !std::isfinite(*offset))
+    throw Usage_error("--slice " + printable(text) +
+                      ": a slice must be an axis and a number, like z,0.5.");
+  return {axis, *offset};
 }
 
 // Returns a grid of points on each plane, 10 % larger than the bounding box on each side. Each
