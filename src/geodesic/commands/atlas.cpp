@@ -248,6 +248,8 @@ void add_atlas(CLI::App& program)
   Command command(program, "atlas",
                   "compute a texture atlas: cut the mesh into charts, flatten and pack them");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output",
+                   "write the mesh with UV coordinates and its texture: .obj .gltf .glb");
   const auto options = std::make_shared<Atlas_options>();
   command.add("--number", options->number_of_charts, "N",
               "initial number of charts; more are added if necessary");

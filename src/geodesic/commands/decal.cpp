@@ -300,6 +300,7 @@ void add_decal(CLI::App& program)
 {
   Command command(program, "decal", "place images (decals) on the surface by logarithmic maps");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write vertex colors: .ply .vtp; or a texture: .obj");
   const auto options = std::make_shared<Decal_options>();
   command.add("--base", options->base_vertices, "V[,V...]",
               "indices of the vertices at the centers of the decals");

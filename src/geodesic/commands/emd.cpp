@@ -100,6 +100,7 @@ void add_emd(CLI::App& program)
                   "compute the earth mover's distance and the optimal flow between two mass "
                   "distributions");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write the potential and the flow: .ply .vtp");
   const auto options = std::make_shared<Emd_options>();
   command.add("--from", options->from, "X",
               "mass distribution: indices V[,V...] of vertices with equal masses and total mass "

@@ -183,6 +183,7 @@ void add_path(CLI::App& program)
 {
   Command command(program, "path", "compute a shortest path between two vertices or locations");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write the path: .ply .obj .vtp");
   const auto options = std::make_shared<Path_options>();
   for(Path_end* end : {&options->from, &options->to})
   {

@@ -115,6 +115,7 @@ void add_plan(CLI::App& program)
 {
   Command command(program, "plan", "compute the optimal transport of masses to a region");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write the potential, the flow and the arrivals: .ply .vtp");
   const auto options = std::make_shared<Plan_options>();
   command.add("--from", options->from, "X", "mass distribution, as for emd");
   command.add("--to", options->to, "X",

@@ -118,6 +118,7 @@ void add_streamlines(CLI::App& program)
   Command command(program, "streamlines",
                   "compute streamlines of the optimal flow between two mass distributions");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write the streamlines: .ply .obj .vtp");
   const auto options = std::make_shared<Streamline_options>();
   command.add("--from", options->from, "X", "mass distribution, as for emd");
   command.add("--to", options->to, "X", "mass distribution, as for emd");

@@ -256,6 +256,8 @@ void add_volume(CLI::App& program)
   Command command(program, "volume",
                   "compute distances and paths in space, inside or outside of a closed mesh");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output",
+                   "write the result: .ply .vtp; for --path also .obj, for --slice also .off .obj");
   const auto options = std::make_shared<Volume_options>();
   command.add("--from", options->from, "x,y,z", "start point");
   command.add("--to", options->to, "x,y,z", "end point");

@@ -152,6 +152,8 @@ void add_wavelet(CLI::App& program)
                   "compress a mesh with subdivision connectivity by wavelets, optionally as a "
                   "progressive stream (.gpw)");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output",
+                   "write the mesh: .ply .off .obj .vtp; or a progressive stream: .gpw");
   const auto options = std::make_shared<Wavelet_options>();
   command
       .add("--keep", options->kept_percentage, "P",
