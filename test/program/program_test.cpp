@@ -196,19 +196,24 @@ std::set<std::string> keys(const nlohmann::json& object)
 
 TEST_F(Program, exits_with_1_on_wrong_usage)
 {
-  expect_failure("", 1, "--help");
-  expect_failure("fly square.ply", 1, "--help");
+  expect_failure("", 1, "a command is required; see geodesic --help");
+  expect_failure("fly square.ply", 1, "there is no command 'fly'; see geodesic --help");
+  expect_failure("--fly", 1, "there is no option '--fly'");
   expect_failure("info", 1, "INPUT");
   expect_failure("info square.ply --what", 1, "--what");
   expect_failure("distance square.ply", 1, "--source");
   expect_failure("distance square.ply --source one", 1, "'one'");
-  expect_failure("distance square.ply --source 1,,2", 1, "not the number of a vertex");
+  expect_failure("distance square.ply --source 1,,2", 1, "not a vertex index");
   expect_failure("distance square.ply --source-at 1,2", 1, "x,y,z");
   expect_failure("distance square.ply --source-at 1,2,nan", 1, "x,y,z");
   expect_failure("distance square.ply --source 0,1 --method spectral", 1, "one source");
   expect_failure("distance square.ply --source 0 --basis 3", 1, "--basis");
-  expect_failure("path square.ply --from 0 --to 1 --method spectral", 1, "only distance");
-  expect_failure("distance square.ply --source 0 --method fast", 1, "the methods are");
+  expect_failure("path square.ply --from 0 --to 1 --method spectral", 1,
+                 "only the commands distance and matrix");
+  for(const char* const command :
+      {"distance square.ply --source 0", "matrix square.ply --number 2"})
+    expect_failure(std::string(command) + " --method fast", 1,
+                   "exact, heat, spectral, emd and biharmonic");
   expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
   expect_failure("distance square.ply --source 0 --speed colours --strength -1", 1, "--strength");
   expect_failure("distance square.ply --source 0 --speed colours --strength nan", 1, "--strength");
@@ -246,10 +251,11 @@ TEST_F(Program, exits_with_1_on_wrong_usage_of_sampling)
   expect_failure("matrix square.ply --limit inf", 1, "--limit");
   expect_failure("matrix square.ply --number 0", 1, "at least one row");
   expect_failure("matrix square.ply --number 2 --sources 1", 1, "--sources");
-  expect_failure("matrix square.ply --sources 1,2,1", 1, "vertex 1 comes twice");
+  expect_failure("matrix square.ply --sources 1,2,1", 1, "vertex 1 is listed twice");
   expect_failure("matrix square.ply --number 2 --limit -1", 1, "--limit");
   expect_failure("matrix square.ply --number 2 --limit nan", 1, "--limit");
-  expect_failure("matrix square.ply --number 2 --method biharmonic --limit 1", 1, "no limit");
+  expect_failure("matrix square.ply --number 2 --method biharmonic --limit 1", 1,
+                 "not support --limit");
   expect_failure("matrix square.ply --number 2 -o a.ply", 1, ".mtx");
 }
 
@@ -280,7 +286,8 @@ TEST_F(Program, exits_with_1_on_wrong_usage_of_remeshing)
   expect_failure("atlas square.ply --number 2 --image nowhere.png", 2, "nowhere.png");
   expect_failure("atlas square.ply --number 60 --texels 16", 2, "do not fit");
   expect_failure("atlas cloud.xyz --number 2", 2, "cloud.xyz");
-  expect_failure("semiregular square.ply --number 9 --levels 9", 1, "--levels");
+  expect_failure("semiregular square.ply --number 9 --levels 9", 1,
+                 "--levels: 9 is not in the range [0, 8]");
   expect_failure("semiregular square.ply --number 9 --maximum-deviation -1", 1,
                  "--maximum-deviation");
 }
@@ -295,19 +302,19 @@ TEST_F(Program, exits_with_2_on_bad_input)
     expect_failure(command, 2, "cut.off: ");
   expect_failure("distance square.ply --source 81", 2, "square.ply: there is no vertex 81");
   expect_failure("matrix square.ply --sources 3,81", 2, "square.ply: there is no vertex 81");
-  expect_failure("matrix cloud.xyz --number 2 --method exact", 2, "need a mesh");
+  expect_failure("matrix cloud.xyz --number 2 --method exact", 2, "needs a mesh");
   expect_failure("remesh cloud.xyz --number 9 --fill-holes", 2, "needs a mesh");
   expect_failure("distance square.ply --source 0 --speed wind", 2, "only double_speed");
   expect_failure("voronoi square.ply --number 2 --speed wind", 2, "only double_speed");
   expect_failure("sample square.ply --number 2 --speed colours", 2, "no red, green and blue");
-  expect_failure("distance closed.off --source-border", 2, "no border");
-  expect_failure("distance cloud.xyz --source-border", 2, "no border");
-  expect_failure("distance cloud.xyz --source 0 --method exact", 2, "need a mesh");
-  expect_failure("path cloud.xyz --from 0 --to 1 --method exact", 2, "need a mesh");
-  expect_failure("surfels square.ply", 2, "points alone");
-  expect_failure("logmap cloud.xyz --base 1 --method exact", 2, "need a mesh");
-  expect_failure("logmap cloud.xyz --base 1 --distances exact", 2, "need a mesh");
-  expect_failure("decal cloud.xyz --base 1 --method exact", 2, "need a mesh");
+  expect_failure("distance closed.off --source-border", 2, "no boundary");
+  expect_failure("distance cloud.xyz --source-border", 2, "no boundary");
+  expect_failure("distance cloud.xyz --source 0 --method exact", 2, "needs a mesh");
+  expect_failure("path cloud.xyz --from 0 --to 1 --method exact", 2, "needs a mesh");
+  expect_failure("surfels square.ply", 2, "needs a cloud");
+  expect_failure("logmap cloud.xyz --base 1 --method exact", 2, "needs a mesh");
+  expect_failure("logmap cloud.xyz --base 1 --distances exact", 2, "needs a mesh");
+  expect_failure("decal cloud.xyz --base 1 --method exact", 2, "needs a mesh");
   expect_failure("decal cloud.xyz --base 1 -o d.obj", 2, "no faces");
   expect_failure("decal square.ply --base 81", 2, "square.ply: there is no vertex 81");
   expect_failure("decal square.ply --base 40 --image none.png", 2,
@@ -538,7 +545,7 @@ TEST_F(Program, emd_matches_known_costs)
   expect_failure("emd square.ply --from 0 --to 81", 2, "81");
   expect_failure("emd square.ply --from 0 --to nothing", 2, "nothing");
   write("short.txt", "1\n2\n");
-  expect_failure("emd square.ply --from 0 --to short.txt", 2, "2 masses for 81 vertices");
+  expect_failure("emd square.ply --from 0 --to short.txt", 2, "the number of masses is 2");
   expect_failure("emd cloud.xyz --from 0 --to 11 --bound-above", 2, "need a mesh");
 }
 
@@ -580,7 +587,7 @@ TEST_F(Program, plan_transports_to_a_region)
   expect_failure("plan cloud.xyz --from 0 --to-at 0,0,0", 2, "need a mesh");
   expect_failure("plan square.ply --from 45 --to 8 --to-path 0,80 --capacity 0.7", 1, "paths");
   expect_failure("plan p.ply --from 45 --to-path 0,80 --capacity arrivals", 1, "--to-path");
-  expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.7", 1, "2 vertices");
+  expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.7", 1, "must be 2");
   expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.3,0.6", 2, "capacity");
   expect_failure("plan square.ply --from 45 --to 8,80 --capacity none", 2, "none");
   expect_failure("plan square.ply --from 45 --to 8,80 --spread -1", 2, "spreading");
@@ -663,7 +670,7 @@ TEST_F(Program, fuzzy_likelihood_is_high_between_endpoints)
   EXPECT_EQ(run("fuzzy cloud.xyz --from 0 --to 11 --quiet").code, 0);
 
   expect_failure("fuzzy square.ply --from 0", 1, "--to");
-  expect_failure("fuzzy square.ply --from 0 --to 0", 1, "same");
+  expect_failure("fuzzy square.ply --from 0 --to 0", 1, "different");
   expect_failure("fuzzy square.ply --from 0 --to 9 --width 0", 1, "--width");
   expect_failure("fuzzy square.ply --from 0 --to 99", 2, "99");
 }
@@ -699,7 +706,9 @@ TEST_F(Program, volume_computes_distances_and_paths)
   expect_failure("volume o.off --from 0,0,0 --to 1,1,1 --slice z,0", 1, "--to or --slice");
   expect_failure("volume o.off --from 0,0 --to 1,1,1", 1, "x,y,z");
   expect_failure("volume o.off --from 0,0,0 --slice w,0", 1, "like z,0.5");
-  expect_failure("volume o.off --from 0,0,0 --slice z,a", 1, "--slice");
+  for(const char* const slice : {"z,a", "z,", "z", "z,inf", "z,1,2"})
+    expect_failure(std::string("volume o.off --from 0,0,0 --slice ") + slice, 1,
+                   std::string("--slice ") + slice + ": a slice must be an axis and a number");
   expect_failure("volume o.off --from 0,0,0 --to 1,0,0 --tolerance 0", 1, "--tolerance");
   expect_failure("volume o.off --from 0,0,0 --to 3,0,0 --path", 2, "different sides");
   expect_failure("volume square.ply --from 0,0,0 --to 1,0,0", 2, "not closed");
@@ -733,7 +742,7 @@ TEST_F(Program, feature_distance_matches_known_distances)
 
   expect_failure("feature-distance square.ply", 1, "--feature");
   expect_failure("feature-distance square.ply --feature 99", 2, "99");
-  expect_failure("feature-distance cloud.xyz --border", 2, "border");
+  expect_failure("feature-distance cloud.xyz --border", 2, "no boundary");
   expect_failure("feature-distance cloud.xyz --feature-path 0,1", 2, "need a mesh");
 }
 
@@ -845,11 +854,11 @@ TEST_F(Program, wavelet_error_decreases_with_details_and_bits)
   EXPECT_EQ(json("wavelet levels.off --levels 1 --predictor linear")["base_vertices"], 642);
   expect_failure("wavelet levels.off --keep 101", 1, "percentage");
   expect_failure("wavelet levels.off --bits 0", 1, "positive");
-  expect_failure("wavelet levels.off --bits 0.01", 2, "too few");
+  expect_failure("wavelet levels.off --bits 0.01", 2, "too small");
   expect_failure("wavelet levels.off --predictor magic", 1, "butterfly");
   expect_failure("wavelet levels.off -o a.stl", 1, ".gpw");
   expect_failure("wavelet square.ply", 2, "no coarser level");
-  expect_failure("wavelet cloud.xyz", 2, "no faces");
+  expect_failure("wavelet cloud.xyz", 2, "needs a mesh");
   write("bad.gpw", "GPW1 and more");
   expect_failure("info bad.gpw", 2, "header");
 }
@@ -884,6 +893,7 @@ TEST_F(Program, logmap_writes_normal_coordinates)
   expect_failure("logmap square.ply", 1, "--base");
   expect_failure("logmap square.ply --base 1 --base-at 0,0,0", 1, "--base");
   expect_failure("logmap square.ply --base 1 --method flat", 1, "gradient");
+  expect_failure("logmap square.ply --base 1 --distances emd", 1, "--distances emd");
   expect_failure("logmap square.ply --base 40 --up 0,0,1", 2, "normal to the surface");
 }
 

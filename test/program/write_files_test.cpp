@@ -222,7 +222,7 @@ TEST(Write_files, rejects_unknown_extensions)
   EXPECT_NO_THROW(program::check_output_extension("A.PLY"));
 }
 
-TEST(Colors, map_range_and_gray_out_infinite)
+TEST(Colors, nonfinite_values_are_gray)
 {
   const std::vector<program::Color> colors = program::colors_of({0., 0.5, 1., INFINITY, NAN});
   EXPECT_EQ(colors[0], program::viridis(0.));

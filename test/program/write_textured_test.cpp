@@ -129,7 +129,7 @@ TEST(Write_textured, assimp_reads_output)
   }
   fs::remove_all(folder);
 #else
-  GTEST_SKIP() << "assimp is not there.";
+  GTEST_SKIP() << "assimp is not available.";
 #endif
 }
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <optional>
+#include <sstream>
 #include <type_traits>
 #include <vector>
 
@@ -54,7 +55,17 @@ Option& Option::shows_default()
 
 Option& Option::in_range(double min_value, double max_value)
 {
-  m_option->check(CLI::Range(min_value, max_value));
+  // The message of CLI::Range prints the limits with six decimals.
+  std::ostringstream range;
+  range << '[' << min_value << ", " << max_value << ']';
+  const auto check = [=, text = range.str()](const std::string& word)
+  {
+    double value = 0.;
+    return CLI::detail::lexical_cast(word, value) && value >= min_value && value <= max_value
+               ? std::string()
+               : word + " is not in the range " + text;
+  };
+  m_option->check(CLI::Validator(check, "in " + range.str()));
   return *this;
 }
 

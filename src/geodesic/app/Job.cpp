@@ -43,15 +43,16 @@ Json_entry Json_object::operator[](const std::string& name) const
 Job::Job(Command& command) : m_result(std::make_unique<nlohmann::ordered_json>())
 {
   command
-      .add("INPUT", m_input, "TEXT", "a mesh or a cloud: .ply .off .obj .stl .xyz .pwn .vtp .gpw")
+      .add("INPUT", m_input, "TEXT", "mesh or point cloud: .ply .off .obj .stl .xyz .pwn .vtp .gpw")
       .required();
-  command.add("-o,--output", m_output, "FILE", "the result: .ply .off .obj .vtp");
-  command.add("--values", m_values, "FILE", "the result as text, one line each in input order");
-  command.add("--picture", m_picture, "FILE", "a picture of the result: .png");
-  command.add_flag("--json", m_json, "print one JSON object and nothing else");
-  command.add("--threads", m_threads, "N", "0: as many as there are processors");
-  command.add("--seed", m_seed, "N", "of everything random");
-  command.add_flag("--quiet", m_quiet, "print nothing that is not asked for");
+  command.add("-o,--output", m_output, "FILE", "write the result: .ply .off .obj .vtp");
+  command.add("--values", m_values, "FILE",
+              "write the result as text, one line per vertex or element");
+  command.add("--picture", m_picture, "FILE", "draw the result: .png");
+  command.add_flag("--json", m_json, "print the results as one JSON object");
+  command.add("--threads", m_threads, "N", "number of threads (default 0: one per processor)");
+  command.add("--seed", m_seed, "N", "seed of the random number generator (default 0)");
+  command.add_flag("--quiet", m_quiet, "suppress result lines, warnings and progress");
 }
 
 Job::~Job() = default;
@@ -66,7 +67,7 @@ const Surface& Job::read(const std::vector<std::string>& extensions)
       std::string list;
       for(std::size_t i = 0; i < extensions.size(); ++i)
         list += (i == 0 ? "." : i + 1 < extensions.size() ? ", ." : " or .") + extensions[i];
-      throw Usage_error("-o " + m_output + ": the name of this result ends with " + list + ".");
+      throw Usage_error("-o " + m_output + ": the file extension must be " + list + ".");
     }
     check_directory(m_output);
   }
@@ -75,7 +76,8 @@ const Surface& Job::read(const std::vector<std::string>& extensions)
   if(!m_picture.empty())
   {
     if(file_extension(m_picture) != "png")
-      throw Usage_error("--picture " + m_picture + ": the name of a picture ends with .png.");
+      throw Usage_error("--picture " + m_picture +
+                        ": the file extension of a picture must be .png.");
     check_directory(m_picture);
     m_display = std::make_unique<Display>();
   }
@@ -88,7 +90,7 @@ const Surface& Job::read(const std::vector<std::string>& extensions)
   (*m_result)["faces"] = m_surface.file.number_of_polygons();
   if(m_surface.is_repaired)
     print_warning(m_surface.is_mesh()
-                      ? "the faces were repaired (cut into triangles, turned, or separated)"
+                      ? "the faces were repaired (triangulated, reoriented or separated)"
                       : "missing normals were estimated");
   return m_surface;
 }
@@ -200,7 +202,7 @@ std::vector<std::size_t> parse_indices(const std::string& text, const std::strin
     const std::optional<long long> number = to_integer(word);
     if(!number || *number < 0)
       throw Usage_error(option + " " + printable(text) + ": '" + printable(word) +
-                        "' is not the number of a vertex.");
+                        "' is not a vertex index.");
     result.push_back(static_cast<std::size_t>(*number));
     begin = end + 1;
   }
@@ -228,7 +230,7 @@ Point parse_point(const std::string& text, const std::string& option)
   const auto numbers = parse_numbers(text);
   if(!numbers || numbers->size() != 3 ||
      !std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); }))
-    throw Usage_error(option + " " + printable(text) + ": it is not a point x,y,z.");
+    throw Usage_error(option + " " + printable(text) + ": a point must have the form x,y,z.");
   return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
@@ -236,7 +238,7 @@ void check_vertex(const Surface& surface, std::size_t vertex)
 {
   const std::size_t n = surface.file.points.size();
   if(vertex >= n)
-    fail(surface.name, "there is no vertex " + std::to_string(vertex) + ", the last one is " +
+    fail(surface.name, "there is no vertex " + std::to_string(vertex) + "; the largest index is " +
                            std::to_string(n - 1));
 }
 

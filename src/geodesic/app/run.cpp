@@ -3,6 +3,7 @@
 #include "app/run.h"
 
 #include "app/commands.h"
+#include "io/Scanner.h"
 #include "io/errors.h"
 
 #include <CGAL/Geodesic_processing/exceptions.h>
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace program {
 
@@ -25,6 +27,19 @@ int fail(Exit_code code, std::string message)
     c = c == '\n' || c == '\r' ? ' ' : c;
   std::fprintf(stderr, "geodesic: %s\n", message.c_str());
   return code;
+}
+
+// Returns the message of a parser error. The parser does not name a command that does not exist.
+std::string usage_message(const CLI::App& program, const CLI::ParseError& error)
+{
+  if(!program.get_subcommands().empty())
+    return error.what();
+  const std::vector<std::string> words = program.remaining();
+  if(words.empty())
+    return "a command is required";
+  const bool is_option = words.front().rfind('-', 0) == 0;
+  return std::string("there is no ") + (is_option ? "option '" : "command '") +
+         printable(words.front()) + "'";
 }
 
 // Returns a prefix with the input's file name, for errors that do not contain it.
@@ -44,7 +59,10 @@ int run(int argc, char** argv)
   // process.
   std::signal(SIGPIPE, SIG_IGN);
 
-  CLI::App program("Geodesics on triangle meshes and point clouds.", "geodesic");
+  CLI::App program(
+      "Geodesic distances, shortest paths and related algorithms on triangle meshes and "
+      "point clouds.",
+      "geodesic");
   program.require_subcommand(1);
   program.set_version_flag("--version", "geodesic 0.1.0");
   add_info(program);
@@ -82,7 +100,7 @@ int run(int argc, char** argv)
       program.exit(error); // prints help or the version
       return std::fflush(stdout) == 0 ? success : not_written;
     }
-    return fail(wrong_usage, std::string(error.what()) + "; see geodesic --help.");
+    return fail(wrong_usage, usage_message(program, error) + "; see geodesic --help.");
   }
   catch(const Usage_error& error)
   {
@@ -106,7 +124,7 @@ int run(int argc, char** argv)
   }
   catch(const std::bad_alloc&)
   {
-    return fail(bad_input, input_prefix(program) + "it needs more memory than there is.");
+    return fail(bad_input, input_prefix(program) + "there is not enough memory.");
   }
   catch(const std::exception& error)
   {

@@ -196,12 +196,13 @@ Surface_file to_texture_plane(const Surface_file& file, const std::vector<UV>& c
 void check(const Job& job, const Atlas_options& options)
 {
   if(options.number_of_charts == 0)
-    throw Usage_error("atlas: give --number, at least 1.");
+    throw Usage_error("atlas: --number is required and must be at least 1.");
   if(options.texels < 16 || options.texels > 16384)
-    throw Usage_error("--texels " + std::to_string(options.texels) + ": from 16 to 16384.");
+    throw Usage_error("--texels " + std::to_string(options.texels) +
+                      ": the value must be between 16 and 16384.");
   if(options.gutter > options.texels / 4)
     throw Usage_error("--gutter " + std::to_string(options.gutter) +
-                      ": at most a quarter of --texels.");
+                      ": the value must be at most a quarter of --texels.");
   if(!job.output().empty())
     check_png_support(job.output());
 }
@@ -211,7 +212,7 @@ void run_atlas(Job& job, const Atlas_options& options)
   check(job, options);
   const Surface& surface = job.read({"obj", "gltf", "glb"});
   if(!surface.is_mesh())
-    throw Input_error(surface.name + ": a cloud has no faces to carry a texture.");
+    throw Input_error(surface.name + ": atlas needs a mesh, but the input is a cloud.");
   const Image image = options.image.empty() ? Image() : read_image(options.image);
   job.begin_stage("prepare");
   const Result result = make_atlas(make_mesh(surface), options, image, job);
@@ -244,19 +245,27 @@ void run_atlas(Job& job, const Atlas_options& options)
 
 void add_atlas(CLI::App& program)
 {
-  Command command(program, "atlas", "a texture: the surface cut into charts, side by side");
+  Command command(program, "atlas",
+                  "compute a texture atlas: cut the mesh into charts, flatten and pack them");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output",
+                   "write the mesh with UV coordinates and its texture: .obj .gltf .glb");
   const auto options = std::make_shared<Atlas_options>();
-  command.add("--number", options->number_of_charts, "N", "of charts to begin with");
+  command.add("--number", options->number_of_charts, "N",
+              "initial number of charts; more are added if necessary");
   command.add("--image", options->image, "FILE",
-              "a picture, .png, that is seen on the surface against the third axis; else the "
-              "colours of its vertices, or squares");
-  command.add("--texels", options->texels, "N", "along a side of the texture").shows_default();
-  command.add("--gutter", options->gutter, "N", "texels between charts").shows_default();
-  command.add("--iterations", options->iterations, "N", "steps of the charts' centres at most")
+              "PNG image that is projected onto the surface along the z axis (default: vertex "
+              "colors, or a checkerboard if there are no colors)");
+  command.add("--texels", options->texels, "N", "width and height of the texture in texels")
+      .shows_default();
+  command.add("--gutter", options->gutter, "N", "minimum number of texels between charts")
+      .shows_default();
+  command
+      .add("--iterations", options->iterations, "N",
+           "maximum number of iterations that move the chart centers")
       .shows_default();
   command.add_flag("--flat", options->draws_plane,
-                   "write and draw the texture's plane, not the input");
+                   "write and draw the flattened charts instead of the input");
   command.set_callback([job, options] { run_atlas(*job, *options); });
 }
 

@@ -93,9 +93,9 @@ Barycenter_result find_barycenter(const Surface_type& surface, const std::vector
 void run_barycenter(Job& job, const Barycenter_options& options)
 {
   if(options.mass_arguments.empty() && options.points.empty())
-    throw Usage_error("barycenter: give --of or --points.");
+    throw Usage_error("barycenter: --of or --points is required.");
   if(options.density && !options.points.empty())
-    throw Usage_error("barycenter: --density is for properties and files, which --of takes.");
+    throw Usage_error("barycenter: --density applies to properties and files, not to --points.");
   check(options);
   const Surface& surface = job.read();
   std::vector<Masses> masses;
@@ -108,10 +108,11 @@ void run_barycenter(Job& job, const Barycenter_options& options)
     masses.push_back(read_masses(std::to_string(vertex), "--points", options, surface));
   if(options.density && !std::all_of(masses.begin(), masses.end(),
                                      [](const Masses& entry) { return entry.is_density; }))
-    throw Usage_error("barycenter: --density is for properties and files, not for vertices.");
+    throw Usage_error("barycenter: --density applies to properties and files, not to vertices.");
   if(!options.weights.empty() && options.weights.size() != masses.size())
-    throw Usage_error("--weight: there are " + std::to_string(options.weights.size()) + " for " +
-                      std::to_string(masses.size()) + " masses.");
+    throw Usage_error(
+        "--weight: the number of weights is " + std::to_string(options.weights.size()) +
+        ", but the number of mass distributions is " + std::to_string(masses.size()) + ".");
 
   job.begin_stage("prepare");
   Barycenter_result result;
@@ -131,7 +132,7 @@ void run_barycenter(Job& job, const Barycenter_options& options)
     job.result()["point"] = *result.point;
     job.result()["point_value"] = json_number(result.point_value);
     job.print_line("best vertex              " + std::to_string(*result.point) +
-                   ", where they sum to " + rounded_text(result.point_value));
+                   ", sum of squared distances " + rounded_text(result.point_value));
   }
 
   job.begin_stage("write");
@@ -174,21 +175,27 @@ void run_barycenter(Job& job, const Barycenter_options& options)
 void add_barycenter(CLI::App& program)
 {
   Command command(program, "barycenter",
-                  "the masses with the least sum of squared distances to given ones");
+                  "compute the barycenter of mass distributions or of vertices");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Barycenter_options>();
   options->tolerance = 0.01;
   command.add("--of", options->mass_arguments, "X",
-              "masses, as those of emd; may be given several times");
+              "mass distribution, as for emd; can be repeated");
   command.add("--points", options->points, "V[,V...]",
-              "vertices, each with a mass of its own, and the vertex nearest to all");
+              "vertex indices; each vertex is a mass distribution. Without --of, also find the "
+              "vertex with the smallest sum of squared distances");
   command.add("--weight", options->weights, "W",
-              "of each of the masses, in their order, --of first (default 1 each)");
-  command.add_flag("--density", options->density, "properties and files have mass per area");
-  command.add_flag("--normalize", options->normalize, "scale all masses so that they sum to one");
-  command.add("--tolerance", options->tolerance, "T", "of the gap between the bounds, relative")
+              "weight of a mass distribution; repeated in the order of the distributions, first "
+              "--of, then --points (default 1)");
+  command.add_flag("--density", options->density,
+                   "values of properties and files are mass per area");
+  command.add_flag("--normalize", options->normalize,
+                   "scale each mass distribution to total mass 1");
+  command
+      .add("--tolerance", options->tolerance, "T",
+           "maximum gap between lower and upper bound, relative to the upper bound")
       .shows_default();
-  command.add("--refine", options->refine, "N", "as in emd");
+  command.add("--refine", options->refine, "N", "number of 1-to-4 refinements, as for emd");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_barycenter(*job, *options); });
 }

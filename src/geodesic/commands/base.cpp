@@ -33,7 +33,7 @@ const Surface& read_mesh(Job& job, const char* command_name)
 {
   const Surface& surface = job.read();
   if(!surface.is_mesh())
-    fail(surface.name, std::string("a cloud has no faces, which ") + command_name + " needs");
+    fail(surface.name, std::string(command_name) + " needs a mesh, but the input is a cloud");
   return surface;
 }
 
@@ -45,7 +45,8 @@ GP::Base_coordinates parse_coordinates(const std::string& word)
     return GP::Base_coordinates::mean_value;
   if(word == "uniform")
     return GP::Base_coordinates::uniform;
-  throw Usage_error("--coordinates " + printable(word) + ": give heron, mean-value or uniform.");
+  throw Usage_error("--coordinates " + printable(word) +
+                    ": the coordinates are heron, mean-value and uniform.");
 }
 
 auto base_parameters(const Base_options& options, Job& job)
@@ -173,9 +174,9 @@ void run_base(Job& job, const Base_options& options)
 void run_semiregular(Job& job, const Base_options& options)
 {
   if(!(options.max_deviation >= 0.))
-    throw Usage_error("--maximum-deviation: it is positive.");
+    throw Usage_error("--maximum-deviation: the deviation must not be negative.");
   if(options.use_quads && options.max_deviation > 0.)
-    throw Usage_error("--maximum-deviation is of triangles, not of --quads.");
+    throw Usage_error("--maximum-deviation and --quads cannot be combined.");
   const Surface& surface = read_mesh(job, "semiregular");
   job.begin_stage("prepare");
   const Mesh mesh = make_mesh(surface);
@@ -245,34 +246,37 @@ void add_base_options(Command& command, Base_options& options)
 {
   add_remeshing_options(command, options, "base vertices", "base edges follow edges");
   command.add("--coordinates", options.coordinates, "KIND",
-              "heron (areas of geodesic distances), mean-value or uniform, in base faces");
+              "barycentric coordinates in base faces: heron (default, from geodesic distances), "
+              "mean-value or uniform");
 }
 
 } // namespace
 
 void add_base(CLI::App& program)
 {
-  Command command(program, "base", "a base of few triangles, and where each vertex is on it");
+  Command command(program, "base",
+                  "compute a base mesh of few triangles and the location of each vertex on it");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Base_options>();
   add_base_options(command, *options);
   command.add_flag("--divided", options->is_divided,
-                   "-o is the input, divided by base edges; faces know theirs, base_face");
+                   "write and draw the input mesh subdivided by the base edges; the property "
+                   "base_face is the base face of each face");
   command.set_callback([job, options] { run_base(*job, *options); });
 }
 
 void add_semiregular(CLI::App& program)
 {
-  Command command(program, "semiregular",
-                  "a mesh of faces cut by one pattern again and again, over a base");
+  Command command(program, "semiregular", "remesh by uniform refinement of a base mesh");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Base_options>();
   add_base_options(command, *options);
-  command.add("--levels", options->levels, "J", "how often faces are cut in four (3)")
+  command.add("--levels", options->levels, "J", "number of 1-to-4 refinements (default 3)")
       .in_range(0, 8);
-  command.add_flag("--quads", options->use_quads, "each base face is three quadrilaterals first");
+  command.add_flag("--quads", options->use_quads, "first split each base face into three quads");
   command.add("--maximum-deviation", options->max_deviation, "D",
-              "fewer levels, if no vertex of the input is farther from its place");
+              "stop the refinement once each input vertex is within this distance of the point "
+              "with the same base coordinates");
   command.set_callback([job, options] { run_semiregular(*job, *options); });
 }
 

@@ -23,10 +23,10 @@ void add_enum_option(Command& command, const std::string& name, Enum& value,
   {
     const auto found = values_by_name.find(word);
     if(found == values_by_name.end())
-      throw Usage_error(name + ' ' + word + ": it is one of " + list + '.');
+      throw Usage_error(name + ' ' + word + ": the value must be one of " + list + '.');
     value = found->second;
   };
-  command.add(name, parse, "NAME", "on a cloud, " + text + ": " + list);
+  command.add(name, parse, "NAME", "for clouds, " + text + ": " + list);
 }
 
 } // namespace
@@ -36,12 +36,11 @@ void add_surfel_options(Command& command, Surfel_options& options)
   using GP::Surfel_graph;
   using GP::Surfel_noise;
   add_enum_option<Surfel_graph>(command, "--surfel-graph", options.graph,
-                                "which surfels are joined",
+                                "edges of the surfel graph",
                                 {{"extended-spheres", Surfel_graph::extended_spheres},
                                  {"spheres", Surfel_graph::spheres},
                                  {"nearest", Surfel_graph::nearest}});
-  add_enum_option<Surfel_noise>(command, "--surfel-noise", options.noise,
-                                "what is done about noise",
+  add_enum_option<Surfel_noise>(command, "--surfel-noise", options.noise, "treatment of noise",
                                 {{"removed-when-found", Surfel_noise::removed_when_found},
                                  {"removed", Surfel_noise::removed},
                                  {"kept", Surfel_noise::kept}});
@@ -52,7 +51,7 @@ void add_cloud_path_options(Command& command, Cloud_path_options& options)
   using GP::Surfel_path_method;
   add_surfel_options(command, options.surfels);
   add_enum_option<Surfel_path_method>(
-      command, "--surfel-path-method", options.method, "what holds the path",
+      command, "--surfel-path-method", options.method, "fitted surface that attracts the path",
       {{"projected-quadrics", Surfel_path_method::projected_quadrics},
        {"projected-spheres", Surfel_path_method::projected_spheres},
        {"projected-planes", Surfel_path_method::projected_planes},
@@ -60,7 +59,9 @@ void add_cloud_path_options(Command& command, Cloud_path_options& options)
        {"robust-spheres", Surfel_path_method::robust_spheres},
        {"planes", Surfel_path_method::planes},
        {"disks", Surfel_path_method::disks}});
-  command.add("--control-points", options.control_points, "N", "on a cloud, of the path, at most")
+  command
+      .add("--control-points", options.control_points, "N",
+           "for clouds, maximum number of control points of the path")
       .shows_default();
 }
 

@@ -11,6 +11,16 @@
 
 namespace program {
 
+namespace {
+
+bool is_solver_method(const std::string& method)
+{
+  return method == "dijkstra" || method == "fast-marching" || method == "euclidean" ||
+         method == "exact" || method == "heat";
+}
+
+} // namespace
+
 bool is_metric(const std::string& method)
 {
   return method == "spectral" || method == "emd" || method == "biharmonic";
@@ -19,18 +29,25 @@ bool is_metric(const std::string& method)
 void check_basis(const std::string& method, const std::optional<std::size_t>& basis_size)
 {
   if(basis_size && method != "emd")
-    throw Usage_error("--basis: only the method emd has one.");
+    throw Usage_error("--basis: only the method emd has a basis.");
 }
 
-void check_method(const std::string& method)
+void check_method(const std::string& method, const std::string& option)
 {
-  const auto is_one_of = [&method](std::initializer_list<const char*> names)
-  { return std::find(names.begin(), names.end(), method) != names.end(); };
   if(is_metric(method))
-    throw Usage_error("--method " + method + ": only distance and matrix have this method.");
-  if(!is_one_of({"dijkstra", "fast-marching", "euclidean", "exact", "heat"}))
-    throw Usage_error("--method " + printable(method) +
+    throw Usage_error(option + " " + method +
+                      ": only the commands distance and matrix support this method.");
+  if(!is_solver_method(method))
+    throw Usage_error(option + " " + printable(method) +
                       ": the methods are dijkstra, fast-marching, euclidean, exact and heat.");
+}
+
+void check_method_or_metric(const std::string& method)
+{
+  if(!is_metric(method) && !is_solver_method(method))
+    throw Usage_error("--method " + printable(method) +
+                      ": the methods are dijkstra, fast-marching, euclidean, exact, heat, "
+                      "spectral, emd and biharmonic.");
 }
 
 GP::internal::Distance_method to_method(const std::string& method)
@@ -46,7 +63,7 @@ GP::internal::Distance_method to_method(const std::string& method)
 void check_method(const std::string& method, const Surface& surface)
 {
   if(method == "exact" && !surface.is_mesh())
-    fail(surface.name, "a cloud has no exact distances, they need a mesh");
+    fail(surface.name, "the method exact needs a mesh, but the input is a cloud");
 }
 
 std::vector<std::uint32_t> picture_triangles(const GP::internal::Surfel_arrays& surfels)
@@ -149,8 +166,8 @@ const std::vector<double>& property(const Surface& surface, const std::string& n
   std::string names;
   for(const auto& other : surface.file.properties)
     names += (names.empty() ? "" : ", ") + other.first;
-  fail(surface.name, "its vertices have no property '" + printable(name) + "'" +
-                         (names.empty() ? ", they have none" : ", only " + names));
+  fail(surface.name, "the vertices have no property '" + printable(name) + "'" +
+                         (names.empty() ? ", and no other properties" : ", only " + names));
 }
 
 double report_distances(Job& job, const std::vector<double>& distances)

@@ -45,10 +45,13 @@ typename GP::Source<Surface_type>::Vertex vertex_at(std::size_t number)
     return Cloud::Index(number);
 }
 
-// Checks the name of a method. Throws Usage_error if it is unknown, and Input_error if the surface
-// does not support the method.
-void check_method(const std::string& method);
+// Checks the name of a method, which must not be a metric. Throws Usage_error that names the option
+// if it is unknown, and Input_error if the surface does not support the method.
+void check_method(const std::string& method, const std::string& option = "--method");
 void check_method(const std::string& method, const Surface& surface);
+
+// Checks the name of a method or metric. Throws Usage_error if it is unknown.
+void check_method_or_metric(const std::string& method);
 
 // Converts the name of a method that passed check_method().
 GP::internal::Distance_method to_method(const std::string& method);

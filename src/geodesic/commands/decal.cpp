@@ -147,14 +147,15 @@ std::vector<std::size_t> parse_base_vertices(const Decal_options& options)
 void check(const Decal_options& options)
 {
   if(options.base_vertices.empty() == options.base_points.empty())
-    throw Usage_error("decal: give either --base or --base-at, once or several times.");
+    throw Usage_error("decal: either --base or --base-at is required, but not both.");
   const std::size_t number_of_places =
       parse_base_vertices(options).size() + options.base_points.size();
   const auto check_count = [&](const char* name, std::size_t number)
   {
     if(number > 1 && number != number_of_places)
-      throw Usage_error(std::string(name) + ": give one for all places, or one for each of the " +
-                        std::to_string(number_of_places) + ".");
+      throw Usage_error(std::string(name) +
+                        ": give one value for all decals, or one for each of the " +
+                        std::to_string(number_of_places) + " decals.");
   };
   check_count("--image", options.images.size());
   check_count("--up", options.up_vectors.size());
@@ -167,7 +168,7 @@ void check(const Decal_options& options)
   for(const auto& sizes : {options.widths, options.heights})
     for(const double size : sizes)
       if(!(size > 0. && std::isfinite(size)))
-        throw Usage_error("--width, --height: a size is positive and finite.");
+        throw Usage_error("--width, --height: the size must be positive and finite.");
   if(options.method != "gradient" && options.method != "exact")
     throw Usage_error("--method " + printable(options.method) +
                       ": the methods are gradient and exact.");
@@ -250,7 +251,8 @@ void run_decal(Job& job, const Decal_options& options)
   if(file_extension(job.output()) == "obj")
   {
     if(!surface.is_mesh())
-      fail(surface.name, "a cloud has no faces to carry a texture, its colours go to .ply or .vtp");
+      fail(surface.name,
+           "a cloud has no faces for a texture; its colors can be written to .ply or .vtp");
     check_png_support(job.output());
   }
   const std::vector<Decal_placement> placements = make_placements(surface, options);
@@ -296,26 +298,32 @@ void run_decal(Job& job, const Decal_options& options)
 
 void add_decal(CLI::App& program)
 {
-  Command command(program, "decal", "images on a surface, without distortion in their middles");
+  Command command(program, "decal", "place images (decals) on the surface by logarithmic maps");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write vertex colors: .ply .vtp; or a texture: .obj");
   const auto options = std::make_shared<Decal_options>();
   command.add("--base", options->base_vertices, "V[,V...]",
-              "the middles: vertices by their places in the file");
-  command.add("--base-at", options->base_points, "x,y,z", "a middle: the place nearest to a point");
+              "indices of the vertices at the centers of the decals");
+  command.add("--base-at", options->base_points, "x,y,z",
+              "center of a decal: the location closest to a point; can be repeated");
   command.add("--image", options->images, "FILE",
-              "a picture, .png, transparent or not; else a compass rose");
-  command.add(
-      "--width", options->widths, "W",
-      "in the unit of the surface; else as --height asks, or a quarter of the longest side of "
-      "the bounding box");
-  command.add("--height", options->heights, "H", "else as the picture is high");
-  command.add("--up", options->up_vectors, "x,y,z", "where the upper side of the picture is");
+              "PNG image, which can be transparent (default: a compass rose); can be repeated");
+  command.add("--width", options->widths, "W",
+              "width in the unit of the coordinates (default: from --height, or a quarter of "
+              "the longest edge of the bounding box); can be repeated");
+  command.add("--height", options->heights, "H",
+              "height (default: from the width and the aspect ratio of the image); can be "
+              "repeated");
+  command.add("--up", options->up_vectors, "x,y,z",
+              "direction that points up in the image; can be repeated");
   command
       .add("--method", options->method, "NAME",
-           "gradient, of squared distances; or exact, by directions of shortest paths")
+           "logarithmic map: gradient (of squared distances) or exact (directions of "
+           "shortest paths)")
       .shows_default();
   command.add("--texels", options->texels, "N",
-              "along the sides of faces in the texture; 0: as many as the pictures have");
+              "number of texels along each edge of a face in the texture (default 0: from the "
+              "resolution of the images)");
   command.set_callback([job, options] { run_decal(*job, *options); });
 }
 

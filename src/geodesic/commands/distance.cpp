@@ -82,7 +82,7 @@ Result compute_distances(const Surface_type& surface, const Distance_options& op
     if(options.use_boundary)
       GP::border_sources(surface, std::back_inserter(sources));
   if(sources.empty())
-    fail(job.input(), "it has no border");
+    fail(job.input(), "the mesh has no boundary");
 
   if(is_metric(options.method))
   {
@@ -106,24 +106,27 @@ Result compute_distances(const Surface_type& surface, const Distance_options& op
 void check(const Distance_options& options)
 {
   if(options.source.empty() && options.source_at.empty() && !options.use_boundary)
-    throw Usage_error("distance: give --source, --source-at or --source-border.");
+    throw Usage_error("distance: --source, --source-at or --source-border is required.");
   if(!options.source.empty())
     parse_indices(options.source, "--source");
   if(!options.source_at.empty())
     parse_point(options.source_at, "--source-at");
-  if(!is_metric(options.method))
-    check_method(options.method);
-  else if(options.use_boundary || std::isfinite(options.max_distance) ||
-          options.source.empty() == options.source_at.empty() ||
-          options.source.find(',') != std::string::npos)
-    throw Usage_error("--method " + options.method + ": it takes one source and no limit.");
+  check_method_or_metric(options.method);
+  if(is_metric(options.method) && (options.use_boundary || std::isfinite(options.max_distance) ||
+                                   options.source.empty() == options.source_at.empty() ||
+                                   options.source.find(',') != std::string::npos))
+    throw Usage_error("--method " + options.method +
+                      ": this method supports exactly one source (--source or --source-at) and no "
+                      "--limit.");
   check_basis(options.method, options.basis_size);
   if(!(options.max_distance >= 0.))
-    throw Usage_error("--limit: a distance is not negative.");
+    throw Usage_error("--limit: the distance must not be negative.");
   check(options.speed_options);
   if(options.speed_options.is_given() && options.method != "fast-marching" &&
      options.method != "euclidean")
-    throw Usage_error("--speed: only the methods fast-marching and euclidean take speeds.");
+    throw Usage_error(
+        "--speed, --density-image: only the methods fast-marching and euclidean support "
+        "speeds.");
 }
 
 void run_distance(Job& job, const Distance_options& options)
@@ -136,7 +139,7 @@ void run_distance(Job& job, const Distance_options& options)
     for(const std::size_t vertex : parse_indices(options.source, "--source"))
       check_vertex(surface, vertex);
   if(options.use_boundary && !surface.is_mesh())
-    fail(surface.name, "a cloud has no border");
+    fail(surface.name, "a cloud has no boundary");
 
   job.begin_stage("prepare");
   Result result;
@@ -158,22 +161,25 @@ void run_distance(Job& job, const Distance_options& options)
 
 void add_distance(CLI::App& program)
 {
-  Command command(program, "distance", "distances along the surface from the nearest source");
+  Command command(program, "distance",
+                  "compute the geodesic distance from each vertex to the nearest source");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Distance_options>();
-  command.add("--source", options->source, "V[,V...]", "vertices by their place in the file");
-  command.add("--source-at", options->source_at, "x,y,z", "the place nearest to a point");
-  command.add_flag("--source-border", options->use_boundary, "all borders of a mesh");
+  command.add("--source", options->source, "V[,V...]", "indices of source vertices");
+  command.add("--source-at", options->source_at, "x,y,z",
+              "source at the location closest to a point");
+  command.add_flag("--source-border", options->use_boundary,
+                   "sources at all boundary cycles of a mesh");
   command
-      .add(
-          "--method", options->method, "NAME",
-          "dijkstra, fast-marching, euclidean, exact or heat; spectral, emd or biharmonic from one "
-          "source, by transport of masses, which takes seconds")
+      .add("--method", options->method, "NAME",
+           "dijkstra, fast-marching, euclidean, exact or heat; or, from a single source and "
+           "in seconds, the metrics spectral, emd (optimal transport) or biharmonic")
       .shows_default();
   command.add("--basis", options->basis_size, "K",
-              "of emd: from 0, spectral, on it comes nearer to distances along the surface "
-              "(default 100)");
-  command.add("--limit", options->max_distance, "D", "go no farther");
+              "basis size of emd: 0 is spectral, larger values approximate geodesic distances "
+              "better (default 100)");
+  command.add("--limit", options->max_distance, "D",
+              "maximum distance; vertices beyond it are not reached");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_distance(*job, *options); });
 }

@@ -19,14 +19,15 @@ std::size_t basis_size(const Emd_options& options)
 {
   const std::optional<long long> result = to_integer(options.basis);
   if(!result || *result < 0)
-    throw Usage_error("--basis " + printable(options.basis) + ": it is a number, or complete.");
+    throw Usage_error("--basis " + printable(options.basis) +
+                      ": the value must be a number of eigenfunctions, or complete.");
   return static_cast<std::size_t>(*result);
 }
 
 void check(const Emd_options& options, const Job& job)
 {
   if(options.from.empty() || options.to.empty())
-    throw Usage_error("emd: give --from and --to.");
+    throw Usage_error("emd: --from and --to are required.");
   check(options);
   if(options.basis == complete_basis)
     return;
@@ -34,8 +35,8 @@ void check(const Emd_options& options, const Job& job)
   if(options.refine || options.bound_above || options.method != "interior-point" ||
      options.speed_options.is_given() || !job.values().empty())
     throw Usage_error(
-        "--basis: --method, --refine, --bound-above, speeds and --values, the potential, "
-        "are for the complete one.");
+        "--basis: --method, --refine, --bound-above, --values and speeds require --basis "
+        "complete.");
 }
 
 // Computes the earth mover's distance and the optimal flow.
@@ -95,19 +96,21 @@ void run_emd(Job& job, const Emd_options& options)
 
 void add_emd(CLI::App& program)
 {
-  Command command(program, "emd", "what it costs to move masses along the surface");
+  Command command(program, "emd",
+                  "compute the earth mover's distance and the optimal flow between two mass "
+                  "distributions");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write the potential and the flow: .ply .vtp");
   const auto options = std::make_shared<Emd_options>();
-  command.add(
-      "--from", options->from, "X",
-      "vertices V[,V...] by their place in the file, which share a mass of one; a property of "
-      "the vertices; or a file with a mass on each line");
-  command.add("--to", options->to, "X", "likewise");
+  command.add("--from", options->from, "X",
+              "mass distribution: indices V[,V...] of vertices with equal masses and total mass "
+              "1, a property of the vertices, or a file with one mass per line");
+  command.add("--to", options->to, "X", "mass distribution, as for --from");
   command
-      .add(
-          "--basis", options->basis, "K",
-          "seek among turned gradients of so many eigenfunctions alone, rounded up to the next gap "
-          "between eigenvalues, which has no potential; or complete")
+      .add("--basis", options->basis, "K",
+           "complete, or a number of eigenfunctions: restrict the flow to the span of their "
+           "rotated gradients, without potential. The number is rounded up to the next gap "
+           "between eigenvalues")
       .shows_default();
   add_options(command, *options);
   command.set_callback([job, options] { run_emd(*job, *options); });

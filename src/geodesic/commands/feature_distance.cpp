@@ -31,7 +31,7 @@ Transport_result compute_distances(const Surface_type& surface,
     if(options.use_boundary)
       GP::border_sources(surface, std::back_inserter(feature));
   if(feature.empty())
-    fail(job.input(), "it has no border");
+    fail(job.input(), "the mesh has no boundary");
   job.begin_stage("query");
   result.potential.resize(job.surface().file.points.size());
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
@@ -46,8 +46,8 @@ Transport_result compute_distances(const Surface_type& surface,
 void run_feature_distance(Job& job, const Feature_options& options)
 {
   if(options.to.empty() && options.region.empty() && !options.use_boundary)
-    throw Usage_error(
-        "feature-distance: give --feature, --feature-at, --feature-path or --border.");
+    throw Usage_error("feature-distance: --feature, --feature-at, --feature-path or --border is "
+                      "required.");
   check(options);
   check(options.region);
   const Surface& surface = job.read();
@@ -56,7 +56,7 @@ void run_feature_distance(Job& job, const Feature_options& options)
                                                 ? std::vector<std::size_t>()
                                                 : region_vertices(options.to, "--feature", surface);
   if(options.use_boundary && !surface.is_mesh())
-    fail(surface.name, "a cloud has no border");
+    fail(surface.name, "a cloud has no boundary");
 
   job.begin_stage("prepare");
   Transport_result result;
@@ -89,16 +89,19 @@ void run_feature_distance(Job& job, const Feature_options& options)
 void add_feature_distance(CLI::App& program)
 {
   Command command(program, "feature-distance",
-                  "distances from a point, a curve, a border or a set, by transport of masses");
+                  "compute distances from vertices, locations, paths or boundaries by optimal "
+                  "transport");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Feature_options>();
   command.add("--feature", options->to, "X",
-              "vertices V[,V...], or a property that is positive at those of the feature");
+              "vertex indices V[,V...], or a property that is positive at the feature vertices");
   add_region_options(command, options->region, "--feature");
-  command.add_flag("--border", options->use_boundary, "all borders of a mesh");
-  command.add("--tolerance", options->tolerance, "T", "of the gap between the bounds, relative")
+  command.add_flag("--border", options->use_boundary, "all boundary cycles of a mesh");
+  command
+      .add("--tolerance", options->tolerance, "T",
+           "maximum gap between lower and upper bound, relative to the upper bound")
       .shows_default();
-  command.add("--refine", options->refine, "N", "as in emd");
+  command.add("--refine", options->refine, "N", "number of 1-to-4 refinements, as for emd");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_feature_distance(*job, *options); });
 }

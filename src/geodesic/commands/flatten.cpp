@@ -59,7 +59,7 @@ void flatten_surface(const Surface_type& surface, const Flatten_options& options
     if(options.is_injective)
     {
       const GP::Distortion_minimum found = GP::minimize_distortion(
-          domain, map, GP::parameters::callback(job.progress_callback("less distortion")));
+          domain, map, GP::parameters::callback(job.progress_callback("distortion")));
       job.result()["flips_before"] = found.number_of_flips_before;
       job.result()["steps"] = found.number_of_steps;
       job.print_line("flips before    " + std::to_string(found.number_of_flips_before));
@@ -173,22 +173,24 @@ void run_flatten(Job& job, const Flatten_options& options)
 
 void add_flatten(CLI::App& program)
 {
-  Command command(program, "flatten", "a patch laid into the plane");
+  Command command(program, "flatten", "flatten a surface patch into the plane");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Flatten_options>();
   command
       .add("--method", options->method, "NAME",
-           "glle, by geodesic distances between neighbours; mds, by those of all pairs; or of a "
-           "mesh "
-           "CGAL's lscm, authalic and arap")
+           "glle (geodesic distances between neighbors) or mds (geodesic distances between "
+           "all pairs); for meshes also lscm, authalic or arap of CGAL")
       .shows_default();
   command.add("--base-points", options->base_points, "N",
-              "how many points carry glle and mds: 200, for glle more where the patch is narrow");
-  command.add("--neighbors", options->neighbors, "K", "how many of them are around each, for glle")
+              "number of base points of glle and mds (default 200; more for glle if the patch "
+              "is narrow)");
+  command
+      .add("--neighbors", options->neighbors, "K", "number of neighbors of each base point of glle")
       .shows_default();
   command.add_flag("--injective", options->is_injective,
-                   "no face turned round: then as little distortion as can be");
-  command.add_flag("--flat", options->draws_plane, "write and draw the plane, not the input");
+                   "remove inverted faces, then minimize the distortion");
+  command.add_flag("--flat", options->draws_plane,
+                   "write and draw the flattened surface instead of the input");
   command.set_callback([job, options] { run_flatten(*job, *options); });
 }
 

@@ -20,7 +20,7 @@ std::size_t parse_vertex(const std::string& text, const std::string& option)
 {
   const std::vector<std::size_t> vertices = parse_indices(text, option);
   if(vertices.size() != 1)
-    throw Usage_error(option + ": give one vertex.");
+    throw Usage_error(option + ": exactly one vertex is required.");
   return vertices[0];
 }
 
@@ -60,13 +60,13 @@ Transport_result compute_likelihoods(const Surface_type& surface, std::size_t fr
 void run_fuzzy(Job& job, const Fuzzy_options& options)
 {
   if(options.from.empty() || options.to.empty())
-    throw Usage_error("fuzzy: give --from and --to.");
+    throw Usage_error("fuzzy: --from and --to are required.");
   const std::size_t from = parse_vertex(options.from, "--from"),
                     to = parse_vertex(options.to, "--to");
   if(from == to)
-    throw Usage_error("fuzzy: --from and --to are the same.");
+    throw Usage_error("fuzzy: --from and --to must be different vertices.");
   if(options.width && !(*options.width > 0.))
-    throw Usage_error("--width: it is positive.");
+    throw Usage_error("--width: the width must be positive.");
   check(options);
   const Surface& surface = job.read();
   check_vertex(surface, from);
@@ -101,18 +101,24 @@ void run_fuzzy(Job& job, const Fuzzy_options& options)
 
 void add_fuzzy(CLI::App& program)
 {
-  Command command(program, "fuzzy", "how likely shortest paths between two vertices pass where");
+  Command command(
+      program, "fuzzy",
+      "compute the likelihood that shortest paths between two vertices pass each vertex");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Fuzzy_options>();
-  command.add("--from", options->from, "V", "a vertex by its place in the file");
-  command.add("--to", options->to, "V", "likewise");
+  command.add("--from", options->from, "V", "index of the first vertex");
+  command.add("--to", options->to, "V", "index of the second vertex");
   command.add("--width", options->width, "W",
-              "of the blobs of mass around them (default a twentieth of the distance)");
+              "standard deviation of the Gaussian masses around both vertices (default: 1/20 of "
+              "their distance)");
   command.add_flag("--by-distances", options->by_distances,
-                   "by how much of a detour each vertex is, over --width, instead of by a flow");
-  command.add("--tolerance", options->tolerance, "T", "of the gap between the bounds, relative")
+                   "compute the likelihood from the length of the detour through each vertex, "
+                   "relative to --width, instead of from a flow");
+  command
+      .add("--tolerance", options->tolerance, "T",
+           "maximum gap between lower and upper bound, relative to the upper bound")
       .shows_default();
-  command.add("--refine", options->refine, "N", "as in emd");
+  command.add("--refine", options->refine, "N", "number of 1-to-4 refinements, as for emd");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_fuzzy(*job, *options); });
 }

@@ -160,12 +160,12 @@ void run_info(Job& job, const Info_options& options)
 {
   const std::string& property_name = options.property;
   if(!property_name.empty() && job.picture().empty())
-    throw Usage_error("--property: it is shown in a --picture.");
+    throw Usage_error("--property: this option requires --picture.");
   if(options.show_edges && job.picture().empty())
-    throw Usage_error("--sides: they are shown in a --picture.");
+    throw Usage_error("--sides: this option requires --picture.");
   const Surface& surface = job.read();
   if(options.show_edges && !surface.is_mesh())
-    throw Usage_error("--sides: points have none.");
+    throw Usage_error("--sides: a cloud has no edges.");
   if(!property_name.empty())
     property(surface, property_name);
   job.print_line(std::string("kind            ") + (surface.is_mesh() ? "mesh" : "cloud"));
@@ -202,12 +202,13 @@ void run_info(Job& job, const Info_options& options)
 
 void add_info(CLI::App& program)
 {
-  Command command(program, "info", "sizes, shape and defects; -o converts");
+  Command command(program, "info",
+                  "report size, topology and defects; with -o, convert the format");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Info_options>();
   command.add("--property", options->property, "NAME",
-              "of the vertices, shown in the picture; else the components are");
-  command.add_flag("--sides", options->show_edges, "show the sides of triangles in the picture");
+              "property of the vertices to draw (default: the connected components)");
+  command.add_flag("--sides", options->show_edges, "draw the edges of triangles in the picture");
   command.set_callback([job, options] { run_info(*job, *options); });
 }
 

@@ -79,20 +79,20 @@ Result find_map(const Surface_type& surface, const Logmap_options& options, Job&
 void check(const Logmap_options& options)
 {
   if(options.base.empty() == options.base_at.empty())
-    throw Usage_error("logmap: give either --base or --base-at.");
+    throw Usage_error("logmap: either --base or --base-at is required, but not both.");
   if(!options.base.empty() && parse_indices(options.base, "--base").size() != 1)
-    throw Usage_error("--base: give one vertex.");
+    throw Usage_error("--base: exactly one vertex is required.");
   if(!options.base_at.empty())
     parse_point(options.base_at, "--base-at");
   if(!options.up.empty())
     parse_point(options.up, "--up");
   if(!(options.radius >= 0.))
-    throw Usage_error("--radius: a distance is not negative.");
+    throw Usage_error("--radius: the radius must not be negative.");
   if(options.method != "gradient" && options.method != "exact" &&
      options.method != "discrete-exponential")
     throw Usage_error("--method " + printable(options.method) +
                       ": the methods are gradient, exact and discrete-exponential.");
-  check_method(options.distances);
+  check_method(options.distances, "--distances");
 }
 
 double largest_radius(const std::vector<std::array<double, 2>>& uv)
@@ -198,21 +198,22 @@ void run_logmap(Job& job, const Logmap_options& options)
 
 void add_logmap(CLI::App& program)
 {
-  Command command(program, "logmap", "the surface around a place, in normal coordinates");
+  Command command(program, "logmap", "compute the logarithmic map (normal coordinates) at a base");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Logmap_options>();
-  command.add("--base", options->base, "V", "a vertex by its place in the file");
-  command.add("--base-at", options->base_at, "x,y,z", "the place nearest to a point");
-  command.add("--radius", options->radius, "R", "go no farther");
-  command.add("--up", options->up, "x,y,z", "where the second axis points");
+  command.add("--base", options->base, "V", "index of the base vertex");
+  command.add("--base-at", options->base_at, "x,y,z", "base at the location closest to a point");
+  command.add("--radius", options->radius, "R",
+              "maximum distance from the base; vertices beyond it are not mapped");
+  command.add("--up", options->up, "x,y,z", "direction of the second axis");
   command
       .add("--method", options->method, "NAME",
-           "gradient, of squared distances; exact, by directions of shortest paths; or "
-           "discrete-exponential, along edges")
+           "gradient (of squared distances), exact (directions of shortest paths) or "
+           "discrete-exponential (along edges)")
       .shows_default();
   command
       .add("--distances", options->distances, "NAME",
-           "for the gradient: dijkstra, fast-marching, euclidean, exact or heat")
+           "distances for gradient: dijkstra, fast-marching, euclidean, exact or heat")
       .shows_default();
   command.set_callback([job, options] { run_logmap(*job, *options); });
 }

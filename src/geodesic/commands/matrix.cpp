@@ -169,27 +169,25 @@ std::string to_matrix_market(const Result& result, bool is_sparse)
 void check(const Matrix_options& options)
 {
   if(!options.sources.empty() && options.number)
-    throw Usage_error("matrix: give either --sources or --number.");
+    throw Usage_error("matrix: --sources and --number cannot be combined.");
   if(options.number && *options.number == 0)
-    throw Usage_error("--number: a matrix has at least one row.");
+    throw Usage_error("--number: the matrix must have at least one row.");
   if(!(options.max_distance >= 0.))
-    throw Usage_error("--limit: a distance is not negative.");
+    throw Usage_error("--limit: the distance must not be negative.");
   if(options.has_all_vertices() && !options.is_sparse())
-    throw Usage_error("matrix: of all vertices, without --sources and --number, it needs a "
-                      "--limit.");
+    throw Usage_error("matrix: --limit is required if neither --sources nor --number is given.");
   if(!options.sources.empty())
   {
     std::vector<std::size_t> vertices = parse_indices(options.sources, "--sources");
     std::sort(vertices.begin(), vertices.end());
     const auto duplicate = std::adjacent_find(vertices.begin(), vertices.end());
     if(duplicate != vertices.end())
-      throw Usage_error("--sources: vertex " + std::to_string(*duplicate) + " comes twice.");
+      throw Usage_error("--sources: vertex " + std::to_string(*duplicate) + " is listed twice.");
   }
   check_basis(options.method, options.basis_size);
-  if(!is_metric(options.method))
-    check_method(options.method);
-  else if(options.is_sparse())
-    throw Usage_error("--method " + options.method + ": it takes no limit.");
+  check_method_or_metric(options.method);
+  if(is_metric(options.method) && options.is_sparse())
+    throw Usage_error("--method " + options.method + ": this method does not support --limit.");
 }
 
 void run_matrix(Job& job, const Matrix_options& options)
@@ -219,7 +217,7 @@ void run_matrix(Job& job, const Matrix_options& options)
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, result.values, "", {}, {}, {}, result.triangles};
-    picture.title = options.has_all_vertices() ? "vertices near" : "distance";
+    picture.title = options.has_all_vertices() ? "near vertices" : "distance";
     if(!options.has_all_vertices())
       for(const std::size_t vertex : result.vertices)
         picture.markers.push_back(surface.file.points[vertex]);
@@ -234,24 +232,29 @@ void run_matrix(Job& job, const Matrix_options& options)
 
 void add_matrix(CLI::App& program)
 {
-  Command command(program, "matrix", "distances of all pairs of some vertices, or of near ones");
+  Command command(program, "matrix",
+                  "compute the distances between all pairs of vertices, or between near pairs");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Matrix_options>();
-  command.describe("--output", "the matrix as Matrix Market: .mtx");
+  command.describe("--output", "write the matrix in Matrix Market format: .mtx");
   command.describe(
-      "--values",
-      "the matrix as text: its rows; of a sparse one row, column and distance of each entry");
-  command.describe("--picture",
-                   "how far the nearest of them is; of all vertices, how many are near: .png");
-  command.add("--sources", options->sources, "V[,V...]", "vertices by their place in the file");
-  command.add("--number", options->number, "N", "of vertices, spread by farthest vertices");
+      "--values", "write the matrix as text: one row per line; a sparse matrix has row, column and "
+                  "distance of one entry per line");
+  command.describe(
+      "--picture",
+      "draw the distance to the nearest source, or for all vertices the number of near "
+      "vertices: .png");
+  command.add("--sources", options->sources, "V[,V...]", "indices of the vertices");
+  command.add("--number", options->number, "N",
+              "number of vertices, selected by farthest point sampling");
   command
       .add("--method", options->method, "NAME",
            "dijkstra, fast-marching, euclidean, exact or heat; spectral, emd or biharmonic")
       .shows_default();
-  command.add("--basis", options->basis_size, "K", "of emd, as in distance (default 100)");
+  command.add("--basis", options->basis_size, "K",
+              "basis size of emd, as for distance (default 100)");
   command.add("--limit", options->max_distance, "D",
-              "only pairs that are not farther apart, as a sparse matrix");
+              "only pairs of vertices within this distance, as a sparse matrix");
   command.set_callback([job, options] { run_matrix(*job, *options); });
 }
 

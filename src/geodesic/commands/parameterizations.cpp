@@ -21,7 +21,7 @@ std::vector<std::array<double, 2>> parameterization(const Surface& surface,
   Mesh mesh = make_mesh(surface);
   const auto boundary = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
   if(boundary == Mesh::null_halfedge())
-    throw Input_error(surface.name + ": it has no border.");
+    throw Input_error(surface.name + ": the mesh has no boundary.");
   // CGAL assigns no coordinates to vertices that are not connected to the boundary.
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto uv =

@@ -41,7 +41,7 @@ std::size_t parse_vertex(const Path_end& end)
 {
   const std::vector<std::size_t> vertices = parse_indices(end.vertex, end.vertex_option);
   if(vertices.size() != 1)
-    throw Usage_error(std::string(end.vertex_option) + ": give one vertex.");
+    throw Usage_error(std::string(end.vertex_option) + ": exactly one vertex is required.");
   return vertices[0];
 }
 
@@ -117,8 +117,8 @@ Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job
 void check(const Path_end& end)
 {
   if(end.vertex.empty() == end.point.empty())
-    throw Usage_error(std::string("path: give either ") + end.vertex_option + " or " +
-                      end.point_option + ".");
+    throw Usage_error(std::string("path: either ") + end.vertex_option + " or " + end.point_option +
+                      " is required, but not both.");
   if(!end.vertex.empty())
     parse_vertex(end);
   else
@@ -145,7 +145,7 @@ void run_path(Job& job, const Path_options& options)
     visit_surface(surface, [&](const auto& mesh_or_cloud)
                   { result = find_path(mesh_or_cloud, options, job); });
   if(result.points.empty())
-    fail(surface.name, "no path joins the two places, they lie on different components");
+    fail(surface.name, "no path connects the endpoints, which are in different components");
   job.result()["length"] = json_number(result.length);
   job.result()["front_distance"] = json_number(result.front_distance);
   job.result()["points"] = result.points.size();
@@ -181,21 +181,21 @@ void run_path(Job& job, const Path_options& options)
 
 void add_path(CLI::App& program)
 {
-  Command command(program, "path", "a shortest path on the surface");
+  Command command(program, "path", "compute a shortest path between two vertices or locations");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write the path: .ply .obj .vtp");
   const auto options = std::make_shared<Path_options>();
   for(Path_end* end : {&options->from, &options->to})
   {
-    command.add(end->vertex_option, end->vertex, "V", "a vertex by its place in the file");
-    command.add(end->point_option, end->point, "x,y,z", "the place nearest to a point");
+    command.add(end->vertex_option, end->vertex, "V", "endpoint: index of a vertex");
+    command.add(end->point_option, end->point, "x,y,z", "endpoint: location closest to a point");
   }
   command.add("--method", options->method, "NAME",
-              "follow its distances: dijkstra, fast-marching, euclidean, exact or heat; without, "
-              "a search for this path alone");
+              "follow the distances of a method: dijkstra, fast-marching, euclidean, exact or "
+              "heat (default: search for a single path)");
   add_cloud_path_options(command, options->cloud);
-  command.add_flag(
-      "--start", options->start,
-      "on a cloud, draw and write the chain of arcs that the path starts from as well");
+  command.add_flag("--start", options->start,
+                   "for clouds, also write and draw the initial path in the surfel graph");
   command.set_callback([job, options] { run_path(*job, *options); });
 }
 

@@ -26,17 +26,17 @@ std::vector<double> capacities(const std::string& text, const std::vector<std::s
   if(const auto numbers = parse_numbers(text))
   {
     if(numbers->size() != region.size() + number_of_other_sources)
-      throw Usage_error("--capacity " + printable(text) + ": there are " +
-                        std::to_string(region.size()) + " vertices" +
+      throw Usage_error("--capacity " + printable(text) + ": the number of capacities must be " +
+                        std::to_string(region.size() + number_of_other_sources) +
                         (number_of_other_sources > 0
-                             ? ", and " + std::to_string(number_of_other_sources) +
-                                   " places and paths, in the region."
-                             : " in the region."));
+                             ? ", the number of vertices, locations and paths of the region."
+                             : ", the number of vertices of the region."));
     return *numbers;
   }
   if(number_of_other_sources > 0)
-    throw Usage_error("--capacity " + printable(text) +
-                      ": give numbers, as --to-at and --to-path have no property.");
+    throw Usage_error(
+        "--capacity " + printable(text) +
+        ": capacities must be numbers, because --to-at and --to-path have no property.");
   const std::vector<double> values = property(surface, text);
   for(const std::size_t vertex : region)
     result.push_back(values[vertex]);
@@ -73,7 +73,7 @@ compute_plan(const Surface_type& surface, const Masses& from, const std::vector<
 void run_plan(Job& job, const Plan_options& options)
 {
   if(options.from.empty() || (options.to.empty() && options.region.empty()))
-    throw Usage_error("plan: give --from, and --to, --to-at or --to-path.");
+    throw Usage_error("plan: --from is required, and --to, --to-at or --to-path.");
   check(options);
   check(options.region);
   const Surface& surface = job.read({"ply", "vtp"});
@@ -113,19 +113,20 @@ void run_plan(Job& job, const Plan_options& options)
 
 void add_plan(CLI::App& program)
 {
-  Command command(program, "plan", "how masses move to wherever in a region it costs the least");
+  Command command(program, "plan", "compute the optimal transport of masses to a region");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write the potential, the flow and the arrivals: .ply .vtp");
   const auto options = std::make_shared<Plan_options>();
-  command.add("--from", options->from, "X", "masses, as those of emd");
+  command.add("--from", options->from, "X", "mass distribution, as for emd");
   command.add("--to", options->to, "X",
-              "vertices V[,V...], or a property that is positive at those of the region");
+              "vertex indices V[,V...], or a property that is positive at the vertices of the "
+              "region");
   add_region_options(command, options->region, "--to");
-  command.add(
-      "--capacity", options->capacity, "X",
-      "how much may arrive at each vertex, then place, then path: X[,X...] in their order, or a "
-      "property");
+  command.add("--capacity", options->capacity, "X",
+              "maximum mass that arrives at each vertex, then location, then path: X[,X...] in "
+              "this order, or a property of the vertices");
   command.add("--spread", options->spread, "W",
-              "pay W times the integral of the squared density of what arrives as well");
+              "add W times the integral of the squared density of arriving mass to the cost");
   add_options(command, *options);
   command.set_callback([job, options] { run_plan(*job, *options); });
 }

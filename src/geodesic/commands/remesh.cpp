@@ -44,7 +44,7 @@ std::size_t parse_hole_edges(const std::string& text)
   const std::optional<long long> number = to_integer(text);
   if(!number || *number < 3)
     throw Usage_error("--fill-holes " + printable(text) +
-                      ": it is not a number of edges, of which a hole has three or more.");
+                      ": the number of edges must be an integer of at least 3.");
   return static_cast<std::size_t>(*number);
 }
 
@@ -57,9 +57,9 @@ void fill_and_report(Mesh& mesh, std::size_t max_edges, Job& job)
   job.print_line("holes filled    " + std::to_string(holes.number_of_filled));
   if(holes.number_of_left > 0)
     job.print_warning(std::to_string(holes.number_of_left) +
-                      (holes.number_of_left == 1 ? " hole is left open: it is"
-                                                 : " holes are left open: they are") +
-                      " too long, or no triangles fit between their vertices");
+                      (holes.number_of_left == 1 ? " hole is left open: it has"
+                                                 : " holes are left open: they have") +
+                      " too many edges, or no valid triangulation was found");
 }
 
 // Computes the mesh and the locations of its vertices.
@@ -101,12 +101,12 @@ void run_remesh(Job& job, const Remesh_options& options)
 {
   check(options.speed_options);
   if(!(options.max_deviation > 0.))
-    throw Usage_error("--maximum-deviation: it is positive.");
+    throw Usage_error("--maximum-deviation: the deviation must be positive.");
   if(!(options.curve_spacing >= 0.) || std::isinf(options.curve_spacing))
-    throw Usage_error("--curve-spacing: a distance is finite and not negative.");
+    throw Usage_error("--curve-spacing: the spacing must be finite and not negative.");
   const Surface& surface = job.read();
   if(!surface.is_mesh() && options.max_hole_edges)
-    fail(surface.name, "a cloud has no holes that could be filled, that needs a mesh");
+    fail(surface.name, "--fill-holes needs a mesh, but the input is a cloud");
 
   job.begin_stage("prepare");
   Result result;
@@ -131,7 +131,7 @@ void run_remesh(Job& job, const Remesh_options& options)
   if(const std::size_t pairs = result.found.self_intersections; pairs > 0)
     job.print_warning(std::to_string(pairs) +
                       (pairs == 1 ? " pair of faces intersects" : " pairs of faces intersect") +
-                      ", as the input does there or almost does");
+                      ", because the input intersects itself or nearly does so");
 
   job.begin_stage("write");
   job.write_values([&] { return result.text; });
@@ -151,25 +151,25 @@ void run_remesh(Job& job, const Remesh_options& options)
 void add_remesh(CLI::App& program)
 {
   Command command(program, "remesh",
-                  "a mesh of the same surface with even triangles; of a clean cloud, too");
+                  "remesh with triangles of even size, or reconstruct a mesh from a clean cloud");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Remesh_options>();
-  add_remeshing_options(command, *options, "vertices", "keeps edges");
+  add_remeshing_options(command, *options, "vertices", "preserve edges");
   command.add("--curve-spacing", options->curve_spacing, "D",
-              "how far apart vertices on borders and kept edges are at most to be");
+              "approximate maximum distance between adjacent vertices on boundaries and "
+              "preserved edges");
   command.add_flag("--fit", options->does_fit,
-                   "vertices leave the surface, such that faces are nearer to it");
+                   "move vertices off the surface, so that the faces approximate it better");
   command.add("--maximum-deviation", options->max_deviation, "D",
-              "how far the input and the result may be from each other; more vertices come where "
-              "they are farther");
+              "maximum distance between input and result; vertices are added if it is exceeded");
   command.add_flag("--allow-self-intersections", options->allow_self_intersections,
-                   "no vertices are added where faces of the result intersect");
+                   "do not add vertices to remove self-intersections of the result");
   const std::function<void(const std::string&)> set_hole_edges = [options](const std::string& text)
   { options->max_hole_edges = parse_hole_edges(text); };
   command
       .add("--fill-holes", set_hole_edges, "[N]",
-           "first fill the holes that have at most N edges, without a number all of them; "
-           "as the outer border of a sheet is a hole too, N is what keeps it open")
+           "first fill the holes with at most N edges, or without N all holes. The outer "
+           "boundary of an open surface is also a hole, so use N to keep it open")
       .value_is_optional();
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_remesh(*job, *options); });

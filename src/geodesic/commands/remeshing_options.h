@@ -24,13 +24,15 @@ inline void add_remeshing_options(Command& command, Remeshing_options& options,
                                   const std::string& vertex_term, const std::string& edge_term)
 {
   command
-      .add("--number", options.number, "N", "of " + vertex_term + "; more come where it takes them")
+      .add("--number", options.number, "N",
+           "number of " + vertex_term + "; more are added if the topology requires it")
       .required();
   command.add("--lloyd", options.relaxation_steps, "K",
-              "how often " + vertex_term + " move to the middle of their cells");
+              "number of relaxation steps, which move " + vertex_term +
+                  " to the centroids of their cells");
   command
       .add("--keep-sharp", options.sharp_angle, "ANGLE",
-           edge_term + " at which the surface bends by so many degrees or more")
+           edge_term + " whose dihedral angle deviates from flat by at least so many degrees")
       .in_range(0., 180.);
 }
 

@@ -61,9 +61,11 @@ Result find_samples(const Surface_type& surface, const Sample_options& options, 
 void run_sample(Job& job, const Sample_options& options)
 {
   if((options.number == 0) == (options.spacing == 0.))
-    throw Usage_error("sample: give either --number, at least 1, or --spacing, above 0.");
+    throw Usage_error(
+        "sample: either --number (at least 1) or --spacing (positive) is required, but "
+        "not both.");
   if(!(options.spacing >= 0.) || std::isinf(options.spacing))
-    throw Usage_error("--spacing: a distance is finite and not negative.");
+    throw Usage_error("--spacing: the distance must be finite and not negative.");
   check(options.speed_options);
   const Surface& surface = job.read();
 
@@ -102,11 +104,12 @@ void run_sample(Job& job, const Sample_options& options)
 
 void add_sample(CLI::App& program)
 {
-  Command command(program, "sample", "points that cover the surface evenly");
+  Command command(program, "sample", "compute evenly spaced samples by farthest point sampling");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Sample_options>();
-  command.add("--number", options->number, "N", "how many");
-  command.add("--spacing", options->spacing, "D", "no vertex is farther from all of them");
+  command.add("--number", options->number, "N", "number of samples");
+  command.add("--spacing", options->spacing, "D",
+              "maximum distance from any vertex to the nearest sample");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_sample(*job, *options); });
 }

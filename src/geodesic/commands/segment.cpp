@@ -92,11 +92,11 @@ Surface_file split_along_boundaries(const Surface_file& mesh, const std::vector<
 void run_segment(Job& job, const Segment_options& options)
 {
   if(options.number == 0)
-    throw Usage_error("segment: give --number, at least 1.");
+    throw Usage_error("segment: --number is required and must be at least 1.");
   check(options.speed_options);
   const Surface& surface = job.read();
   if(options.make_disks && !surface.is_mesh())
-    throw Input_error(job.input() + ": a cloud has no faces, which --discs needs.");
+    throw Input_error(job.input() + ": --discs needs a mesh, but the input is a cloud.");
 
   job.begin_stage("prepare");
   Result result;
@@ -107,7 +107,7 @@ void run_segment(Job& job, const Segment_options& options)
   job.result()["energies"] = result.energies;
   job.print_line("charts          " + std::to_string(result.centers.size()));
   job.print_line("energy          " + rounded_text(result.energies.back()) + ", " +
-                 rounded_text(result.energies.front()) + " at the start");
+                 rounded_text(result.energies.front()) + " initially");
   report_unreached(job, result.labels);
 
   job.begin_stage("write");
@@ -135,12 +135,14 @@ void run_segment(Job& job, const Segment_options& options)
 
 void add_segment(CLI::App& program)
 {
-  Command command(program, "segment", "charts of about equal size, about their centres of mass");
+  Command command(program, "segment", "divide the surface into charts of about equal size");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Segment_options>();
-  command.add("--number", options->number, "N", "of charts");
-  command.add("--iterations", options->iterations, "N", "steps of centres at most (20)");
-  command.add_flag("--discs", options->make_disks, "each chart a disc, by more of them");
+  command.add("--number", options->number, "N", "number of charts");
+  command.add("--iterations", options->iterations, "N",
+              "maximum number of iterations that move the centers (default 20)");
+  command.add_flag("--discs", options->make_disks,
+                   "add charts until each chart is a topological disk");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_segment(*job, *options); });
 }

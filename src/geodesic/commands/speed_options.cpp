@@ -79,28 +79,32 @@ std::vector<std::array<double, 2>> image_coordinates(const Surface_file& file)
 void add_speed_options(Command& command, Speed_options& options)
 {
   command.add("--speed", options.speed, "NAME",
-              "of the fronts; samples are dense where it is low: a property of the vertices; "
-              "curvature-attractive, low at creases; curvature-repulsive, high there; "
-              "curvature-like-V, high where it is as at vertex V; or colours, "
-              "low where the vertices' red, green and blue vary");
+              "speed of the fronts; samples are denser in regions of low speed. NAME is a "
+              "property of the vertices, curvature-attractive (low at creases), "
+              "curvature-repulsive (high at creases), curvature-like-V (high if the curvature "
+              "is similar to the curvature at vertex V), or colours (low in regions of varying "
+              "vertex colors)");
   command.add("--density-image", options.image, "FILE",
-              "a picture, .png: the speed is low where it varies. It is seen through "
-              "texture coordinates (vt in OBJ; s, t or u, v in PLY), without these it is spread "
-              "over the bounding box, seen along its shortest side");
+              "PNG image that defines a speed, which is low in regions of varying color. The "
+              "image is applied through texture coordinates (vt in OBJ; s, t or u, v in PLY). "
+              "Without them, it covers the bounding box and is projected along the shortest "
+              "edge");
   command.add("--strength", options.strength, "X",
-              "how much curvature (default 0.14) or an image (20) changes the speed");
+              "influence of curvature (default 0.14), colors or an image (default 20) on the "
+              "speed");
 }
 
 void check(const Speed_options& options)
 {
   if(!options.speed.empty() && !options.image.empty())
-    throw Usage_error("--density-image: --speed says already how fast fronts are.");
+    throw Usage_error("--density-image: this option cannot be combined with --speed.");
   if(!options.strength)
     return;
   if(!(*options.strength >= 0. && std::isfinite(*options.strength)))
-    throw Usage_error("--strength: it is finite and not negative.");
+    throw Usage_error("--strength: the strength must be finite and not negative.");
   if(options.image.empty() && !is_computed_speed(options.speed))
-    throw Usage_error("--strength: only curvature, colours and images have one.");
+    throw Usage_error(
+        "--strength: this option requires a speed from curvature, colours or an image.");
 }
 
 std::optional<std::size_t> similar_vertex(const Speed_options& options)
@@ -110,7 +114,7 @@ std::optional<std::size_t> similar_vertex(const Speed_options& options)
   const auto vertices =
       parse_indices(options.speed.substr(similar_prefix.size()), "--speed " + similar_prefix);
   if(vertices.size() != 1)
-    throw Usage_error("--speed " + printable(options.speed) + ": give one vertex.");
+    throw Usage_error("--speed " + printable(options.speed) + ": exactly one vertex is required.");
   return vertices.front();
 }
 
@@ -122,7 +126,7 @@ std::vector<Color> vertex_colors(const Surface& surface, const Speed_options& op
   {
     const auto channels = find_properties(file, {color_names.begin(), color_names.end()});
     if(channels.empty())
-      fail(surface.name, "its vertices have no red, green and blue");
+      fail(surface.name, "the vertices have no red, green and blue properties");
     for(std::size_t i = 0; i < result.size(); ++i)
       for(std::size_t c = 0; c < 3; ++c)
         result[i][c] = (*channels[c])[i];

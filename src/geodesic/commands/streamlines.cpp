@@ -64,7 +64,7 @@ Streamline_result compute_streamlines(const Surface_type& surface, const Masses&
 void run_streamlines(Job& job, const Streamline_options& options)
 {
   if(options.from.empty() || options.to.empty())
-    throw Usage_error("streamlines: give --from and --to.");
+    throw Usage_error("streamlines: --from and --to are required.");
   check(options);
   const Surface& surface = job.read({"vtp", "ply", "obj"});
   const Masses from = read_masses(options.from, "--from", options, surface);
@@ -82,8 +82,8 @@ void run_streamlines(Job& job, const Streamline_options& options)
   job.result()["lines"] = result.lines.size();
   job.result()["arrived"] = result.arrived;
   job.result()["mean_length"] = json_number(result.length / number_of_lines);
-  job.print_line("lines                   " + std::to_string(result.lines.size()) + ", of which " +
-                 std::to_string(result.arrived) + " arrive");
+  job.print_line("lines                   " + std::to_string(result.lines.size()) + ", " +
+                 std::to_string(result.arrived) + " arrived");
   job.print_line("mean length             " + rounded_text(result.length / number_of_lines));
 
   job.begin_stage("write");
@@ -115,16 +115,19 @@ void run_streamlines(Job& job, const Streamline_options& options)
 
 void add_streamlines(CLI::App& program)
 {
-  Command command(program, "streamlines", "the lines along which masses move");
+  Command command(program, "streamlines",
+                  "compute streamlines of the optimal flow between two mass distributions");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output", "write the streamlines: .ply .obj .vtp");
   const auto options = std::make_shared<Streamline_options>();
-  command.add("--from", options->from, "X", "masses, as those of emd");
-  command.add("--to", options->to, "X", "likewise");
-  command.add("--number", options->number, "N", "of lines, for equal parts of the mass")
+  command.add("--from", options->from, "X", "mass distribution, as for emd");
+  command.add("--to", options->to, "X", "mass distribution, as for emd");
+  command.add("--number", options->number, "N", "number of streamlines, each with the same mass")
       .shows_default();
   command.add("--seeds", options->seeds, "X",
-              "instead from vertices V[,V...], or where a property is positive");
-  command.add_flag("--as-traced", options->keep_traced, "do not pull lines taut");
+              "start at vertices instead: indices V[,V...], or a property that is positive at "
+              "the seeds");
+  command.add_flag("--as-traced", options->keep_traced, "do not shorten the streamlines");
   add_query_options(command, *options);
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_streamlines(*job, *options); });

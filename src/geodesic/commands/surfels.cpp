@@ -41,10 +41,10 @@ std::size_t prepare_cloud(Cloud& cloud, const Surfels_options& options, const Jo
 void run_surfels(Job& job, const Surfels_options& options)
 {
   if(!(options.outlier_percentage >= 0.) || !(options.outlier_percentage <= 100.))
-    throw Usage_error("--outliers: a percentage lies between 0 and 100.");
+    throw Usage_error("--outliers: the percentage must be between 0 and 100.");
   const Surface& surface = job.read({"ply", "vtp", "off", "obj"});
   if(surface.is_mesh())
-    fail(surface.name, "it is a mesh, surfels are made of points alone");
+    fail(surface.name, "surfels needs a cloud, but the input is a mesh");
 
   job.begin_stage("prepare");
   Cloud cloud = make_cloud(surface);
@@ -106,17 +106,20 @@ void run_surfels(Job& job, const Surfels_options& options)
 void add_surfels(CLI::App& program)
 {
   Command command(program, "surfels",
-                  "normals, radii and the graph of a cloud; -o writes them, without noise");
+                  "compute normals, radii and the surfel graph of a cloud; -o writes the denoised "
+                  "surfels");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Surfels_options>();
-  command.add_flag(
-      "--estimate", options->estimate_normals,
-      "normals anew, although the file has some, by surfaces that are fitted to points");
-  command.add("--neighbors", options->neighbors, "K", "that a normal is estimated from")
+  command.add_flag("--estimate", options->estimate_normals,
+                   "estimate new normals by fitted quadrics, even if the file contains normals");
+  command
+      .add("--neighbors", options->neighbors, "K",
+           "number of neighbors from which a normal is estimated")
       .shows_default();
   command.add("--outliers", options->outlier_percentage, "P",
-              "remove so many percent of the points, those farthest from their neighbours");
-  command.add_flag("--arcs", options->graph_edges, "draw and write the arcs of the graph");
+              "percentage of outliers: remove the points with the largest distances to their "
+              "neighbors");
+  command.add_flag("--arcs", options->graph_edges, "write and draw the edges of the graph");
   add_surfel_options(command, options->surfels);
   command.set_callback([job, options] { run_surfels(*job, *options); });
 }

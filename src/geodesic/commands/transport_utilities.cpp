@@ -21,11 +21,11 @@ std::vector<double> read_masses_file(const std::string& name, std::size_t number
   {
     result.push_back(scanner.parse_coordinate(scanner.word()));
     if(!scanner.is_line_empty())
-      scanner.fail("there is more than one number");
+      scanner.fail("the line contains more than one number");
   }
   if(result.size() != number)
-    fail(name, "it has " + std::to_string(result.size()) + " masses for " + std::to_string(number) +
-                   " vertices");
+    fail(name, "the number of masses is " + std::to_string(result.size()) +
+                   ", but the number of vertices is " + std::to_string(number));
   return result;
 }
 
@@ -143,7 +143,7 @@ std::vector<std::size_t> region_vertices(const std::string& text, const std::str
     if(values[i] > 0.)
       result.push_back(i);
   if(result.empty())
-    fail(surface.name, "its property " + printable(text) + " is positive nowhere");
+    fail(surface.name, "the property " + printable(text) + " is not positive at any vertex");
   return result;
 }
 
@@ -152,9 +152,9 @@ void add_region_options(Command& command, Region_options& options, const std::st
   options.at_option = prefix + "-at";
   options.path_option = prefix + "-path";
   command.add(options.at_option, options.at, "x,y,z",
-              "the place of a mesh nearest to a point; may be given several times");
+              "location on a mesh closest to a point; can be repeated");
   command.add(options.path_option, options.paths, "V,V[,V...]",
-              "all along the shortest path through these vertices; likewise");
+              "shortest path on a mesh through these vertices; can be repeated");
 }
 
 void check(const Region_options& options)
@@ -163,7 +163,7 @@ void check(const Region_options& options)
     parse_point(point, options.at_option);
   for(const std::string& path : options.paths)
     if(parse_indices(path, options.path_option).size() < 2)
-      throw Usage_error(options.path_option + ": give two vertices or more.");
+      throw Usage_error(options.path_option + ": at least two vertices are required.");
 }
 
 void check(const Region_options& options, const Surface& surface)
@@ -177,26 +177,32 @@ void check(const Region_options& options, const Surface& surface)
 
 void add_query_options(Command& command, Transport_options& options)
 {
-  command.add_flag("--density", options.density, "properties and files have mass per area");
-  command.add_flag("--normalize", options.normalize, "scale each side so that it sums to one");
+  command.add_flag("--density", options.density,
+                   "values of properties and files are mass per area");
+  command.add_flag("--normalize", options.normalize,
+                   "scale each mass distribution to total mass 1");
   command
       .add("--method", options.method, "NAME",
-           "interior-point; admm, for gaps of a percent; or weiszfeld")
+           "interior-point, admm (for tolerances of about 0.01) or weiszfeld")
       .shows_default();
-  command.add("--tolerance", options.tolerance, "T", "of the gap between the bounds, relative")
+  command
+      .add("--tolerance", options.tolerance, "T",
+           "maximum gap between lower and upper bound, relative to the upper bound")
       .shows_default();
   command.add("--refine", options.refine, "N",
-              "divide each triangle in four so often: less is lost where the surface is curved "
-              "(default 1 up to 5,000 vertices, 0 above)");
+              "number of 1-to-4 refinements of the triangles, which reduce the error on curved "
+              "surfaces (default 1 up to 5,000 vertices, otherwise 0)");
 }
 
 void add_options(Command& command, Transport_options& options)
 {
   add_query_options(command, options);
   command.add_flag("--bound-above", options.bound_above,
-                   "also a bound from above for flows on the surface itself");
-  command.add_flag("--hodge", options.hodge,
-                   "also write the flow's gradient, rotation and harmonic part");
+                   "also compute an upper bound for flows on the surface itself");
+  command.add_flag(
+      "--hodge", options.hodge,
+      "also write the Hodge decomposition of the flow: gradient, rotation and harmonic "
+      "part");
   add_speed_options(command, options.speed_options);
 }
 
@@ -209,7 +215,7 @@ void check(const Transport_options& options, const Surface& surface)
 void check(const Transport_options& options)
 {
   if(!(options.tolerance > 0.))
-    throw Usage_error("--tolerance: it is positive.");
+    throw Usage_error("--tolerance: the tolerance must be positive.");
   if(options.method != "interior-point" && options.method != "admm" &&
      options.method != "weiszfeld")
     throw Usage_error("--method " + printable(options.method) +
@@ -239,7 +245,7 @@ void report(Job& job, const Transport_options& options, const GP::Earth_movers_c
   if(options.bound_above)
     print_line("on the surface", "at most " + rounded_text(cost.upper_continuous));
   if(!cost.converged)
-    job.print_warning("the bounds are farther apart than --tolerance");
+    job.print_warning("the gap between the bounds exceeds --tolerance");
 }
 
 void write_transport(const Job& job, const Transport_result& result,
@@ -309,8 +315,8 @@ void add_sources(const Domain& domain, const Region_options& options, const Surf
         const auto path =
             find(vertex_at<Surface_type>(vertices[i - 1]), vertex_at<Surface_type>(vertices[i]));
         if(path.empty())
-          fail(surface.name, "no path joins vertices " + std::to_string(vertices[i - 1]) + " and " +
-                                 std::to_string(vertices[i]));
+          fail(surface.name, "no path connects the vertices " + std::to_string(vertices[i - 1]) +
+                                 " and " + std::to_string(vertices[i]));
         polyline.insert(polyline.end(), path.locations.begin(), path.locations.end());
         for(const auto& point : path.points)
           result.feature_polylines.back().push_back(coordinates(point));

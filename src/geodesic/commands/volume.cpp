@@ -32,9 +32,13 @@ struct Slice
 Slice parse_slice(const std::string& text)
 {
   const std::size_t axis = std::string("xyz").find(text.substr(0, 1));
-  if(text.size() < 3 || text[1] != ',' || axis > 2)
-    throw Usage_error("--slice " + text + ": it is not an axis and a number, like z,0.5.");
-  return {axis, parse_point("0,0," + text.substr(2), "--slice")[2]};
+  const std::optional<double> offset = text.size() > 2 && text[1] == ','
+                                           ? to_number(std::string_view(text).substr(2))
+                                           : std::nullopt;
+  if(axis > 2 || !offset || !std::isfinite(*offset))
+    throw Usage_error("--slice " + printable(text) +
+                      ": a slice must be an axis and a number, like z,0.5.");
+  return {axis, *offset};
 }
 
 // Returns a grid of points on each plane, 10 % larger than the bounding box on each side. Each
@@ -175,7 +179,8 @@ void run_path(Job& job, const Metric& metric, const Kernel::Point_3& from,
   job.result()["arrives"] = arrives;
   job.print_line("length          " + rounded_text(length));
   if(!arrives)
-    job.print_warning("the path ends where the distance falls no more");
+    job.print_warning("the path ends before its target, because the distance does not decrease any "
+                      "further");
 
   job.begin_stage("write");
   job.write_values([&] { return points_text(path); });
@@ -199,9 +204,10 @@ void run_volume(Job& job, const Volume_options& options)
 {
   const bool is_pair = !options.to.empty();
   if(options.from.empty() || is_pair == !options.slices.empty() || (options.path && !is_pair))
-    throw Usage_error("volume: give --from, and either --to or --slice.");
+    throw Usage_error(
+        "volume: --from is required, and either --to or --slice; --path requires --to.");
   if(options.user_tolerance && !(*options.user_tolerance > 0.))
-    throw Usage_error("--tolerance: it is positive.");
+    throw Usage_error("--tolerance: the tolerance must be positive.");
   const Kernel::Point_3 from = parse_point_3(options.from, "--from");
   const Kernel::Point_3 to = is_pair ? parse_point_3(options.to, "--to") : from;
   for(const std::string& text : options.slices)
@@ -211,7 +217,7 @@ void run_volume(Job& job, const Volume_options& options)
                : is_pair    ? std::vector<std::string>{"ply", "vtp"}
                             : std::vector<std::string>{"ply", "off", "obj", "vtp"});
   if(!surface.is_mesh())
-    fail(surface.name, "a cloud encloses nothing: distances in space need a closed mesh");
+    fail(surface.name, "volume needs a closed mesh, but the input is a cloud");
 
   job.begin_stage("prepare");
   const Mesh mesh = make_mesh(surface);
@@ -247,22 +253,32 @@ void run_volume(Job& job, const Volume_options& options)
 
 void add_volume(CLI::App& program)
 {
-  Command command(program, "volume", "distances and paths in space, inside or outside of a mesh");
+  Command command(program, "volume",
+                  "compute distances and paths in space, inside or outside of a closed mesh");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output",
+                   "write the result: .ply .vtp; for --path also .obj, for --slice also .off .obj");
   const auto options = std::make_shared<Volume_options>();
-  command.add("--from", options->from, "x,y,z", "a point");
-  command.add("--to", options->to, "x,y,z", "another one");
+  command.add("--from", options->from, "x,y,z", "start point");
+  command.add("--to", options->to, "x,y,z", "end point");
   command.add_flag("--path", options->path,
-                   "a path down the distance, which does not cross the surface");
+                   "compute a path by gradient descent of the distance, which does not cross the "
+                   "surface");
   command.add("--slice", options->slices, "AXIS,OFFSET",
-              "in place of --to the points of a plane across x, y or z; more than once");
-  command.add("--resolution", options->resolution, "N", "points along the longest side")
+              "instead of --to, compute distances to a grid of points in a plane orthogonal to "
+              "x, y or z; can be repeated");
+  command
+      .add("--resolution", options->resolution, "N",
+           "number of grid points along the longest edge of the bounding box, which is "
+           "enlarged by 20 %")
       .shows_default()
       .in_range(2., 10000.);
   command.add("--tolerance", options->user_tolerance, "T",
-              "of the gap between the bounds, relative (default 0.001, on slices 0.02)");
-  command.add("--refine", options->refine, "N", "as in emd");
-  command.add_flag("--bound-above", options->bound_above, "as in emd");
+              "maximum gap between lower and upper bound, relative to the upper bound (default "
+              "0.001, or 0.02 with --slice)");
+  command.add("--refine", options->refine, "N", "number of 1-to-4 refinements, as for emd");
+  command.add_flag("--bound-above", options->bound_above,
+                   "also compute an upper bound for flows on the surface itself");
   command.set_callback([job, options] { run_volume(*job, *options); });
 }
 

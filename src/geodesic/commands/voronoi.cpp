@@ -65,7 +65,8 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
 void run_voronoi(Job& job, const Voronoi_options& options)
 {
   if((options.number == 0) == options.seeds.empty())
-    throw Usage_error("voronoi: give either --number, at least 1, or --seeds.");
+    throw Usage_error(
+        "voronoi: either --number (at least 1) or --seeds is required, but not both.");
   check(options.speed_options);
   if(!options.seeds.empty())
     parse_indices(options.seeds, "--seeds");
@@ -103,11 +104,13 @@ void run_voronoi(Job& job, const Voronoi_options& options)
 
 void add_voronoi(CLI::App& program)
 {
-  Command command(program, "voronoi", "labels: which of the seeds is nearest");
+  Command command(program, "voronoi",
+                  "compute geodesic Voronoi cells: label each vertex with its nearest seed");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Voronoi_options>();
-  command.add("--number", options->number, "N", "of seeds, spread by farthest vertices");
-  command.add("--seeds", options->seeds, "V[,V...]", "vertices by their place in the file");
+  command.add("--number", options->number, "N",
+              "number of seeds, selected by farthest point sampling");
+  command.add("--seeds", options->seeds, "V[,V...]", "indices of the seed vertices");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_voronoi(*job, *options); });
 }

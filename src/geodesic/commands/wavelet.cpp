@@ -30,9 +30,10 @@ void check(const Wavelet_options& options)
     throw Usage_error("--predictor " + printable(options.predictor) +
                       ": the predictors are butterfly and linear.");
   if(!(options.kept_percentage >= 0. && options.kept_percentage <= 100.))
-    throw Usage_error("wavelet: --keep is a percentage, 0 to 100.");
+    throw Usage_error("--keep: the percentage must be between 0 and 100.");
   if(options.bits_per_vertex && !(*options.bits_per_vertex > 0. && *options.bits_per_vertex <= 1e6))
-    throw Usage_error("wavelet: --bits is a positive number for each vertex.");
+    throw Usage_error(
+        "--bits: the number of bits per vertex must be positive and at most 1,000,000.");
 }
 
 double root_mean_square(const std::vector<Point>& a, const std::vector<Point>& b)
@@ -86,7 +87,7 @@ Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
     catch(const GP::Invalid_argument_error&)
     {
       throw Input_error(job.input() + ": --bits " + rounded_text(*options.bits_per_vertex) +
-                        " are too few for its coarse mesh.");
+                        " is too small for the coarse mesh.");
     }
     job.result()["bit_planes"] = stream.number_of_bit_planes;
     for(std::size_t i = 0; i < n; ++i)
@@ -102,8 +103,8 @@ Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
   job.result()["base_vertices"] = coarsest;
   job.result()["kept"] = kept;
   job.result()["bits_per_vertex"] = bits_per_vertex;
-  job.print_line("levels          " + std::to_string(wavelet.number_of_levels()) + " above " +
-                 std::to_string(coarsest) + " vertices");
+  job.print_line("levels          " + std::to_string(wavelet.number_of_levels()) +
+                 " above a base of " + std::to_string(coarsest) + " vertices");
   job.print_line("details kept    " + std::to_string(kept) + " of " + std::to_string(n - coarsest));
   job.print_line("bits per vertex " + rounded_text(bits_per_vertex));
   return result;
@@ -114,7 +115,7 @@ void run_wavelet(Job& job, const Wavelet_options& options)
   check(options);
   const Surface& surface = job.read({"ply", "off", "obj", "vtp", "gpw"});
   if(!surface.is_mesh())
-    throw Input_error(job.input() + ": a cloud has no faces, which wavelets need.");
+    throw Input_error(job.input() + ": wavelet needs a mesh, but the input is a cloud.");
   job.begin_stage("prepare");
   const Result result = approximate(make_mesh(surface), options, job);
   const double error = root_mean_square(surface.file.points, result.points);
@@ -148,14 +149,19 @@ void run_wavelet(Job& job, const Wavelet_options& options)
 void add_wavelet(CLI::App& program)
 {
   Command command(program, "wavelet",
-                  "a mesh that was subdivided by fewer details, or as a stream of few bits (.gpw)");
+                  "compress a mesh with subdivision connectivity by wavelets, optionally as a "
+                  "progressive stream (.gpw)");
   const auto job = std::make_shared<Job>(command);
+  command.describe("--output",
+                   "write the mesh: .ply .off .obj .vtp; or a progressive stream: .gpw");
   const auto options = std::make_shared<Wavelet_options>();
-  command.add("--keep", options->kept_percentage, "P", "percent of the details, the largest")
+  command
+      .add("--keep", options->kept_percentage, "P",
+           "percentage of detail coefficients to keep, the largest first")
       .shows_default();
   command.add("--bits", options->bits_per_vertex, "B",
-              "for each vertex at most, as a progressive stream");
-  command.add("--levels", options->levels, "J", "that are taken off at most");
+              "maximum number of bits per vertex of a progressive stream");
+  command.add("--levels", options->levels, "J", "maximum number of decomposition levels");
   command.add("--predictor", options->predictor, "NAME", "butterfly or linear").shows_default();
   command.set_callback([job, options] { run_wavelet(*job, *options); });
 }
