@@ -44,7 +44,7 @@ data=$(realpath -m "${3:-$here/../../../shared/data}")
 for build in "$before" "$after"; do
   [ -x "$build/geodesic" ] || fail "$build has no program geodesic."
 done
-for demo in make_models make_picture; do
+for demo in make_models make_test_image; do
   [ -x "$before/demo/$demo" ] || fail "$before has no $demo; build it with demos."
 done
 
@@ -737,7 +737,7 @@ export -f run run_both library_calls cached
 echo "Generating models"
 generate_models()
 {
-  cd "$models" && "$before/demo/make_models" . && "$before/demo/make_picture" rings.png &&
+  cd "$models" && "$before/demo/make_models" . && "$before/demo/make_test_image" rings.png &&
     python3 "$work/models.py" &&
     "$before/geodesic" semiregular ring.off --number 30 --levels 4 --quiet -o levels.ply &&
     "$before/geodesic" wavelet levels.ply --bits 4 --quiet -o levels.gpw &&
