@@ -313,9 +313,9 @@ struct All_pairs
   unsigned refinements;
 };
 
-void print_all_pairs(bool is_quick)
+std::vector<All_pairs> all_pairs_rows()
 {
-  std::vector<All_pairs> rows = {
+  return {
       {"2k", {0.06, 2.60}, {0.03, 0.23}, {0.03, 0.58}, {0.03, 1.22}, "mushroom_2k", 0},
       {"4k", {0.13, 6.25}, {0.05, 0.45}, {0.06, 1.42}, {0.06, 2.84}, "dino_4k", 0},
       {"8k", {0.24, 11.76}, {0.10, 0.97}, {0.14, 4.97}, {0.14, 7.33}, "plane_holes_8k5", 0},
@@ -328,70 +328,84 @@ void print_all_pairs(bool is_quick)
        "mannequin_devil_13k",
        1},
       {"111k", {8.06, 432.26}, {2.04, 15.14}, {10.91, 289.02}, {11., 322.11}, "armadillo_26k", 1}};
+}
+
+// Seconds; nan if a method is not run, because it would take minutes.
+struct All_pairs_times
+{
+  double exact = std::nan(""), heat = 0., biharmonic = 0., spectral = 0., basis_100 = std::nan(""),
+         complete = std::nan("");
+};
+
+All_pairs_times measure_all_pairs(const Triangles& t,
+                                  const std::vector<Surface_location>& locations)
+{
+  const Masses masses = masses_at(*t, locations);
+  const bool is_pair = locations.size() == 2, is_small = t->number_of_vertices() < 20000;
+  All_pairs_times result;
+  if(is_pair || is_small)
+    result.exact = cpu_seconds(
+        [&]
+        {
+          Window_propagation propagation(t);
+          for(const Surface_location& location : locations)
+            propagation.run({source(location)});
+        });
+  result.heat = cpu_seconds(
+      [&]
+      {
+        Heat_solver solver(t);
+        for(const Surface_location& location : locations)
+          solver.run({source(location)});
+      });
+  result.biharmonic = cpu_seconds([&] { Biharmonic_distances(*t).all_pairs(masses); });
+  result.spectral = cpu_seconds(
+      [&] { Spectral_transport(t, 0, Particular_field::gradient).all_pairs(masses, {}); });
+  if(is_pair && is_small)
+    result.basis_100 = cpu_seconds(
+        [&]
+        {
+          Spectral_transport(t, 100, Particular_field::raviart_thomas)
+              .all_pairs(masses, {1e-2, 5000, 1, {}});
+        });
+  if(is_pair)
+    result.complete = cpu_seconds([&] { complete(t).values({{locations[0], locations[1]}}); });
+  return result;
+}
+
+void print_all_pairs(bool is_quick)
+{
+  std::vector<All_pairs> rows = all_pairs_rows();
   if(is_quick)
     rows.resize(2);
   Table table({"all pairs: s (paper's)", "vertices", "paper's", "samples", "exact (marching)",
                "heat", "biharmonic", "k = 0", "k = 100", "complete"});
   for(const All_pairs& row : rows)
-    for_each_model(
-        {row.ours},
-        [&](const std::string& name, Mesh& mesh)
-        {
-          for(unsigned i = 0; i < row.refinements; ++i)
-            mesh = refined(mesh);
-          const Triangles t = Domain(mesh).triangles();
-          const Index n = Index(t->number_of_vertices());
-          for(const std::size_t samples : {2, 100})
-          {
-            const bool is_pair = samples == 2;
-            std::vector<Surface_location> locations;
-            for(std::size_t j = 0; j < samples; ++j)
-              locations.push_back(vertex_location(Index(j * n / samples)));
-            const Masses masses = masses_at(*t, locations);
-            const auto cell = [&](double ours, const std::array<double, 2>& theirs) {
-              return format_fixed(ours, 2) + " (" + format_significant(theirs[is_pair ? 0 : 1]) +
-                     ")";
-            };
-            double exact_time = std::nan("");
-            if(is_pair || n < 20000)
-              exact_time = cpu_seconds(
-                  [&]
-                  {
-                    Window_propagation propagation(t);
-                    for(const Surface_location& location : locations)
-                      propagation.run({source(location)});
-                  });
-            const double heat_time = cpu_seconds(
-                [&]
-                {
-                  Heat_solver solver(t);
-                  for(const Surface_location& location : locations)
-                    solver.run({source(location)});
-                });
-            const double biharmonic_time =
-                cpu_seconds([&] { Biharmonic_distances(*t).all_pairs(masses); });
-            const double spectral = cpu_seconds(
-                [&]
-                { Spectral_transport(t, 0, Particular_field::gradient).all_pairs(masses, {}); });
-            double basis_100_time = std::nan(""), complete_time = basis_100_time;
-            if(is_pair && n < 20000)
-              basis_100_time = cpu_seconds(
-                  [&]
-                  {
-                    Spectral_transport(t, 100, Particular_field::raviart_thomas)
-                        .all_pairs(masses, {1e-2, 5000, 1, {}});
-                  });
-            if(is_pair)
-              complete_time = cpu_seconds(
-                  [&] {
-                    complete(t).values({{locations[0], locations[1]}});
-                  });
-            table.add({name, std::to_string(n), row.paper, std::to_string(samples),
-                       cell(exact_time, row.marching), cell(heat_time, row.heat),
-                       cell(biharmonic_time, row.biharmonic_time), cell(spectral, row.spectral),
-                       format_fixed(basis_100_time, 2), format_fixed(complete_time, 2)});
-          }
-        });
+    for_each_model({row.ours},
+                   [&](const std::string& name, Mesh& mesh)
+                   {
+                     for(unsigned i = 0; i < row.refinements; ++i)
+                       mesh = refined(mesh);
+                     const Triangles t = Domain(mesh).triangles();
+                     const Index n = Index(t->number_of_vertices());
+                     for(const std::size_t samples : {2, 100})
+                     {
+                       std::vector<Surface_location> locations;
+                       for(std::size_t j = 0; j < samples; ++j)
+                         locations.push_back(vertex_location(Index(j * n / samples)));
+                       const All_pairs_times times = measure_all_pairs(t, locations);
+                       const auto cell = [&](double ours, const std::array<double, 2>& theirs) {
+                         return format_fixed(ours, 2) + " (" +
+                                format_significant(theirs[samples == 2 ? 0 : 1]) + ")";
+                       };
+                       table.add({name, std::to_string(n), row.paper, std::to_string(samples),
+                                  cell(times.exact, row.marching), cell(times.heat, row.heat),
+                                  cell(times.biharmonic, row.biharmonic_time),
+                                  cell(times.spectral, row.spectral),
+                                  format_fixed(times.basis_100, 2),
+                                  format_fixed(times.complete, 2)});
+                     }
+                   });
   table.print();
 }
 
@@ -468,89 +482,115 @@ void print_fall(bool is_quick)
   table.print();
 }
 
+using Triple = std::array<Index, 3>;
+
+// Returns triples of different indices below `size`.
+std::vector<Triple> random_triples(std::size_t number, Index size, std::mt19937& random)
+{
+  std::vector<Triple> result;
+  while(result.size() < number)
+  {
+    const Index p = random() % size, q = random() % size, r = random() % size;
+    if(p != q && q != r && r != p)
+      result.push_back({p, q, r});
+  }
+  return result;
+}
+
+// Deviations of a matrix of distances from a metric, over triples of its rows.
+struct Metric_deviations
+{
+  std::size_t number_longer = 0, number_certain = 0; // violations by values, and by the bounds
+  double max_excess = 0., asymmetry = 0.;            // relative
+};
+
+// Computes the deviations of `bounds`, a row-major matrix of `size` rows.
+Metric_deviations metric_deviations(const std::vector<Transport_bounds>& bounds, Index size,
+                                    const std::vector<Triple>& triples)
+{
+  const auto at = [&](Index p, Index q) -> const Transport_bounds& { return bounds[p * size + q]; };
+  const auto value = [&](Index p, Index q) { return 0.5 * (at(p, q).lower + at(p, q).upper); };
+  Metric_deviations result;
+  for(const auto& [p, q, r] : triples)
+  {
+    const double detour = value(p, q) + value(q, r);
+    // The factor admits round-off errors.
+    result.number_longer += value(p, r) > detour * (1. + 1e-9);
+    result.number_certain += at(p, r).lower > (at(p, q).upper + at(q, r).upper) * (1. + 1e-9);
+    result.max_excess = std::max(result.max_excess, value(p, r) / detour - 1.);
+    result.asymmetry = std::max(result.asymmetry, std::abs(value(p, r) / value(r, p) - 1.));
+  }
+  return result;
+}
+
+// Computes the distances of all vertices to a vertex.
+using One_to_all_function = std::function<Vector(Surface_location)>;
+
+// Returns the fraction of vertices over which a detour is shorter than the distance, for five pairs
+// of vertices.
+double shorter_detour_ratio(const std::vector<Surface_location>& locations,
+                            const One_to_all_function& one_to_all)
+{
+  std::size_t number_shorter = 0, number_of_detours = 0;
+  for(Index i = 0; i < 5; ++i)
+  {
+    const Vector p = one_to_all(locations[i]), q = one_to_all(locations[i + 5]);
+    const double d = 0.5 * (p[locations[i + 5].vertex] + q[locations[i].vertex]);
+    for(Index s = 0; s < p.size(); ++s)
+      number_shorter += p[s] + q[s] < d * (1. - 1e-6); // sums are single precision
+    number_of_detours += std::size_t(p.size());
+  }
+  return double(number_shorter) / double(number_of_detours);
+}
+
+void add_metric_rows(Table& table, const std::string& name, const Mesh& mesh)
+{
+  const Domain domain(mesh);
+  const Triangles& t = domain.triangles();
+  constexpr Index samples = 24;
+  std::mt19937 random;
+  std::vector<Surface_location> locations;
+  for(Index i = 0; i < samples; ++i)
+    locations.push_back(vertex_location(Index(i * domain.number_of_vertices() / samples)));
+  std::vector<Pair> pairs;
+  for(const Surface_location& p : locations)
+    for(const Surface_location& q : locations)
+      pairs.push_back({p, q});
+  const std::vector<Triple> triples = random_triples(1000, samples, random);
+  const auto add = [&](const Distance_method& method, const One_to_all_function& one_to_all)
+  {
+    const Metric_deviations found = metric_deviations(method.bounds(pairs), samples, triples);
+    table.add(
+        {method.name, name, std::to_string(found.number_longer),
+         std::to_string(found.number_certain), format_significant(100. * found.max_excess),
+         format_significant(100. * found.asymmetry),
+         one_to_all ? format_fixed(100. * shorter_detour_ratio(locations, one_to_all), 1) : "-"});
+  };
+  const auto mass = [&](const Surface_location& p) { return masses_at(*t, {p}); };
+  const Biharmonic_distances biharmonic_distances(*t);
+  const Spectral_transport spectral(t, 0, Particular_field::gradient);
+  for(const double squares : {1., 10., 100.})
+  {
+    const Heat solver(t, squares);
+    add(heat(t, squares), [&](const Surface_location& p) { return solver.distances(p); });
+  }
+  add(biharmonic(t),
+      [&](const Surface_location& p) { return biharmonic_distances.one_to_all(mass(p), 1); });
+  add(family(t, 0), [&](const Surface_location& p) { return spectral.one_to_all(mass(p), {}); });
+  add(family(t, 10), {});
+  add(family(t, 100), {});
+  add(complete(t), {});
+}
+
 // Figure 9: verifies the triangle inequality and symmetry on random triples. The detour over every
 // vertex is tested for five pairs.
 void print_metrics(bool is_quick)
 {
   Table table({"of 1,000 triples", "model", "longer than a detour", "by more than the gaps",
                "most %", "not symmetric, most %", "of vertices between two %"});
-  for_each_model(
-      is_quick ? std::vector<std::string>{"pig_468"}
-               : std::vector<std::string>{"elephant_2k8", "hemisphere_2k"},
-      [&](const std::string& name, Mesh& mesh)
-      {
-        const Domain domain(mesh);
-        const Triangles& t = domain.triangles();
-        constexpr Index samples = 24;
-        std::mt19937 random;
-        std::vector<Surface_location> locations;
-        for(Index i = 0; i < samples; ++i)
-          locations.push_back(vertex_location(Index(i * domain.number_of_vertices() / samples)));
-        std::vector<Pair> pairs;
-        for(const Surface_location& p : locations)
-          for(const Surface_location& q : locations)
-            pairs.push_back({p, q});
-        std::vector<std::array<Index, 3>> triples;
-        while(triples.size() < 1000)
-        {
-          const Index p = random() % samples, q = random() % samples, r = random() % samples;
-          if(p != q && q != r && r != p)
-            triples.push_back({p, q, r});
-        }
-        const auto add =
-            [&](const Distance_method& method, const std::function<Vector(Surface_location)>& all)
-        {
-          const std::vector<Transport_bounds> found = method.bounds(pairs);
-          const auto value = [&](Index p, Index q)
-          { return 0.5 * (found[p * samples + q].lower + found[p * samples + q].upper); };
-          std::size_t number_longer = 0, number_certain = 0;
-          double max_excess = 0., asymmetry = 0.;
-          for(const auto& [p, q, r] : triples)
-          {
-            const double detour = value(p, q) + value(q, r);
-            // The factor admits round-off errors.
-            number_longer += value(p, r) > detour * (1. + 1e-9);
-            number_certain +=
-                found[p * samples + r].lower >
-                (found[p * samples + q].upper + found[q * samples + r].upper) * (1. + 1e-9);
-            max_excess = std::max(max_excess, value(p, r) / detour - 1.);
-            asymmetry = std::max(asymmetry, std::abs(value(p, r) / value(r, p) - 1.));
-          }
-          std::string between_text = "-";
-          if(all)
-          {
-            std::size_t number_shorter = 0;
-            for(Index i = 0; i < 5; ++i)
-            {
-              const Vector p = all(locations[i]), q = all(locations[i + 5]);
-              const double d = 0.5 * (p[locations[i + 5].vertex] + q[locations[i].vertex]);
-              for(Index s = 0; s < p.size(); ++s)
-                number_shorter += p[s] + q[s] < d * (1. - 1e-6); // sums are single precision
-            }
-            between_text = format_fixed(
-                100. * double(number_shorter) / (5. * double(domain.number_of_vertices())), 1);
-          }
-          table.add({method.name, name, std::to_string(number_longer),
-                     std::to_string(number_certain), format_significant(100. * max_excess),
-                     format_significant(100. * asymmetry), between_text});
-        };
-        const auto one_to_all = [&](const auto& distances)
-        { return [&](const Surface_location& p) { return distances(masses_at(*t, {p})); }; };
-        const Biharmonic_distances biharmonic_distances(*t);
-        const Spectral_transport spectral(t, 0, Particular_field::gradient);
-        for(const double squares : {1., 10., 100.})
-        {
-          const Heat solver(t, squares);
-          add(heat(t, squares), [&](const Surface_location& p) { return solver.distances(p); });
-        }
-        add(biharmonic(t), one_to_all([&](const Masses& from)
-                                      { return biharmonic_distances.one_to_all(from, 1); }));
-        add(family(t, 0),
-            one_to_all([&](const Masses& from) { return spectral.one_to_all(from, {}); }));
-        add(family(t, 10), {});
-        add(family(t, 100), {});
-        add(complete(t), {});
-      });
+  for_each_model(is_quick ? std::vector<std::string>{"pig_468"}
+                          : std::vector<std::string>{"elephant_2k8", "hemisphere_2k"},
+                 [&](const std::string& name, Mesh& mesh) { add_metric_rows(table, name, mesh); });
   table.print();
 }
 
