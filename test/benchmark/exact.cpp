@@ -273,6 +273,85 @@ private:
   Table m_table{{"method", "set-up [s]", "query [s]", "mean error %"}};
 };
 
+std::vector<Named_mesh> single_source_meshes(bool quick)
+{
+  if(quick)
+    return {
+        {"icosphere 4", [] { return icosphere(4); }, Cgal_comparison::always},
+        {"elephant_2k8", [] { return load_model("elephant_2k8"); }, Cgal_comparison::always},
+    };
+  return {
+      {"bunny_37k", [] { return load_model("bunny_37k"); }, Cgal_comparison::always},
+      {"nefertiti_35k", [] { return load_model("nefertiti_35k"); }, Cgal_comparison::always},
+      {"icosphere 6", [] { return icosphere(6); }, Cgal_comparison::if_patient},
+      {"square 201^2", [] { return jittered_square(201); }, Cgal_comparison::if_patient},
+      {"pressed sphere 6", [] { return flattened_sphere(6); }, Cgal_comparison::if_patient},
+      {"bunny_37k once", [] { return subdivided_model("bunny_37k", 1); },
+       Cgal_comparison::if_patient},
+      {"icosphere 7", [] { return icosphere(7); }, Cgal_comparison::never},
+      {"pressed sphere 7", [] { return flattened_sphere(7); }, Cgal_comparison::never},
+      {"square 631^2", [] { return jittered_square(631); }, Cgal_comparison::never},
+  };
+}
+
+void print_single_source(bool quick, bool patient)
+{
+  Single_source_table table;
+  for(const Named_mesh& named : single_source_meshes(quick))
+    if(const auto mesh = named.make())
+      table.add(named.name, *mesh,
+                named.cgal == Cgal_comparison::always ||
+                    (patient && named.cgal == Cgal_comparison::if_patient));
+  table.print();
+}
+
+void print_speed_ups(const Mesh& mesh)
+{
+  std::printf("Several sources by two threads: seconds on a watch, which wants an idle machine\n");
+  Table table({"Distances", "sources", "targets", "one thread [s]", "two [s]", "speed-up"});
+  add_parallel<GP::Exact>(table, "Exact, all pairs", mesh, 24, false);
+  add_parallel<GP::Exact>(table, "Exact, to all", mesh, 8, true);
+  add_parallel<GP::Euclidean_front>(table, "Euclidean_front, all pairs", mesh, 100, false);
+  add_parallel<GP::Euclidean_front>(table, "Euclidean_front, to all", mesh, 32, true);
+  table.print();
+  std::printf("Bar: at least 1.7 on two processors.\n\n");
+}
+
+// Measures bounded queries on `mesh` and on two refinements of it.
+void print_bounded_queries(const Mesh& mesh)
+{
+  std::printf(
+      "What is nearer than 18 edges, from random vertices; the surface cut finer and finer\n");
+  Table table(
+      {"Bounded query", "vertices", "reached", "Euclidean [ms]", "Exact [ms]", "slowest [ms]"});
+  Mesh finer = mesh;
+  for(const std::string times : {"uncut", "cut once", "cut twice"})
+  {
+    add_bounded(table, times, finer);
+    if(times != "cut twice")
+      finer = refined(finer);
+  }
+  table.print();
+  std::printf("Bar: as long on a large mesh as on a small one, when as many are reached.\n\n");
+}
+
+// Prints errors over times on `mesh` and on a sphere. Returns one panel of the plot for each.
+std::vector<Panel> print_trade_offs(Mesh& mesh, const std::string& name, unsigned sphere_level)
+{
+  std::vector<Panel> panels;
+  const auto compare = [&panels](const std::string& title, Mesh& surface)
+  {
+    const Error_time_trade_off trade_off(title, surface);
+    trade_off.print();
+    panels.push_back(trade_off.panel());
+  };
+  std::printf("Errors over times, relative to CGAL's exact distances\n");
+  Mesh sphere = icosphere(sphere_level);
+  compare(name, mesh);
+  compare("Sphere", sphere);
+  return panels;
+}
+
 } // namespace
 
 // exact [--quick] [--patient] [PLOT.svg]
@@ -289,73 +368,15 @@ int main(int argc, char* argv[])
       plot = argv[i];
 
   std::printf("Exact distances: processor time, medians, of three sources.\n\n");
-  std::vector<Named_mesh> meshes = {
-      {"icosphere 4", [] { return icosphere(4); }, Cgal_comparison::always},
-      {"elephant_2k8", [] { return load_model("elephant_2k8"); }, Cgal_comparison::always},
-  };
-  if(!quick)
-    meshes = {
-        {"bunny_37k", [] { return load_model("bunny_37k"); }, Cgal_comparison::always},
-        {"nefertiti_35k", [] { return load_model("nefertiti_35k"); }, Cgal_comparison::always},
-        {"icosphere 6", [] { return icosphere(6); }, Cgal_comparison::if_patient},
-        {"square 201^2", [] { return jittered_square(201); }, Cgal_comparison::if_patient},
-        {"pressed sphere 6", [] { return flattened_sphere(6); }, Cgal_comparison::if_patient},
-        {"bunny_37k once", [] { return subdivided_model("bunny_37k", 1); },
-         Cgal_comparison::if_patient},
-        {"icosphere 7", [] { return icosphere(7); }, Cgal_comparison::never},
-        {"pressed sphere 7", [] { return flattened_sphere(7); }, Cgal_comparison::never},
-        {"square 631^2", [] { return jittered_square(631); }, Cgal_comparison::never},
-    };
-  Single_source_table single_source;
-  for(const Named_mesh& named : meshes)
-    if(const auto mesh = named.make())
-      single_source.add(named.name, *mesh,
-                        named.cgal == Cgal_comparison::always ||
-                            (patient && named.cgal == Cgal_comparison::if_patient));
-  single_source.print();
+  print_single_source(quick, patient);
 
   // Uses a sphere if the model is missing.
-  const auto model_or_sphere = [&]
-  {
-    auto mesh = load_model(quick ? "elephant_2k8" : "bunny_37k");
-    return mesh ? *mesh : icosphere(quick ? 4 : 6);
-  };
-  Mesh mesh = model_or_sphere();
-
-  std::printf("Several sources by two threads: seconds on a watch, which wants an idle machine\n");
-  Table parallel({"Distances", "sources", "targets", "one thread [s]", "two [s]", "speed-up"});
-  add_parallel<GP::Exact>(parallel, "Exact, all pairs", mesh, 24, false);
-  add_parallel<GP::Exact>(parallel, "Exact, to all", mesh, 8, true);
-  add_parallel<GP::Euclidean_front>(parallel, "Euclidean_front, all pairs", mesh, 100, false);
-  add_parallel<GP::Euclidean_front>(parallel, "Euclidean_front, to all", mesh, 32, true);
-  parallel.print();
-  std::printf("Bar: at least 1.7 on two processors.\n\n");
-
-  std::printf(
-      "What is nearer than 18 edges, from random vertices; the surface cut finer and finer\n");
-  Table bounded(
-      {"Bounded query", "vertices", "reached", "Euclidean [ms]", "Exact [ms]", "slowest [ms]"});
-  Mesh finer = mesh;
-  for(const std::string times : {"uncut", "cut once", "cut twice"})
-  {
-    add_bounded(bounded, times, finer);
-    if(times != "cut twice")
-      finer = refined(finer);
-  }
-  bounded.print();
-  std::printf("Bar: as long on a large mesh as on a small one, when as many are reached.\n\n");
-
-  std::vector<Panel> panels;
-  const auto compare = [&panels](const std::string& name, Mesh& surface)
-  {
-    const Error_time_trade_off trade_off(name, surface);
-    trade_off.print();
-    panels.push_back(trade_off.panel());
-  };
-  std::printf("Errors over times, relative to CGAL's exact distances\n");
-  Mesh sphere = icosphere(quick ? 4 : 5);
-  compare(load_model(quick ? "elephant_2k8" : "bunny_37k") ? "Scan" : "Sphere", mesh);
-  compare("Sphere", sphere);
+  const auto model = load_model(quick ? "elephant_2k8" : "bunny_37k");
+  Mesh mesh = model ? *model : icosphere(quick ? 4 : 6);
+  print_speed_ups(mesh);
+  print_bounded_queries(mesh);
+  const std::vector<Panel> panels =
+      print_trade_offs(mesh, model ? "Scan" : "Sphere", quick ? 4 : 5);
   if(!plot.empty())
   {
     if(!write_error_plot(plot, panels))
