@@ -30,12 +30,13 @@ int main(int argc, char* argv[])
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
   GP::geodesic_distances(mesh, Vertex(0), distance);
 
-  const auto nearer = [&](Vertex a, Vertex b) { return distance[a] < distance[b]; };
-  const Vertex farthest = *std::max_element(mesh.vertices().begin(), mesh.vertices().end(), nearer);
-  const double flight =
+  const auto is_closer = [&](Vertex a, Vertex b) { return distance[a] < distance[b]; };
+  const Vertex farthest =
+      *std::max_element(mesh.vertices().begin(), mesh.vertices().end(), is_closer);
+  const double euclidean_distance =
       std::sqrt(CGAL::squared_distance(mesh.point(Vertex(0)), mesh.point(farthest)));
 
-  std::cout << "Vertex " << farthest.idx() << " is farthest: " << distance[farthest] << " on foot, "
-            << flight << " as the crow flies.\n";
+  std::cout << "Vertex " << farthest.idx() << " has the maximum geodesic distance, "
+            << distance[farthest] << "; its Euclidean distance is " << euclidean_distance << ".\n";
   return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
