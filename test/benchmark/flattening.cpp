@@ -111,12 +111,12 @@ struct Distortion_counts
   void print() const
   {
     std::printf(
-        "Of %zu patches: glle without flips on %zu of %zu whose curvature is 2 pi at most (all); "
-        "Ec + Ea of glle at most 1.001 times\nthat of lscm and of authalic, or below 1e-6, on %zu "
-        "(wanted: 10 of 13) of %zu where both have a map, and both between\nthose of the two on "
-        "%zu, and neither above the larger one on %zu; "
-        "injective without flips on %zu (all), with at most 1.05 times the symmetric Dirichlet "
-        "energy\nof arap on %zu of %zu where that has no flips (all).\n\n",
+        "%zu patches, targets in parentheses. glle has no flips on %zu of %zu patches with a "
+        "curvature of at most 2 pi (all).\nPatches with maps by both lscm and authalic: Ec + Ea of "
+        "glle is at most 1.001 times that of each, or below 1e-6,\non %zu of %zu (10 of 13); "
+        "Ec and Ea are between both on %zu, and at most the larger one on %zu.\n"
+        "injective has no flips on %zu patches (all). Its symmetric Dirichlet energy is at most "
+        "1.05 times that of arap\non %zu of %zu patches on which arap has no flips (all).\n\n",
         patches, without_flips, low_curvature, with_smallest_sum, compared, between, below_larger,
         injective, near_arap, with_arap);
   }
@@ -181,11 +181,11 @@ void add_base_point_row(Table& table, Distortion_counts& counts, const std::stri
 
 void print_distortion(bool is_quick)
 {
-  std::printf("Distortion: conformal and authalic, their sum, symmetric Dirichlet, "
-              "stretch\n\n");
+  std::printf("Distortion: conformal energy Ec, authalic energy Ea, symmetric Dirichlet energy, "
+              "L2 and Linf stretch\n\n");
   Table table({"patch", "method", "Ec", "Ea", "Ec + Ea", "Dirichlet", "L2", "Linf", "flips"});
-  Table base_point_table(
-      {"patch: Dirichlet", "5", "10", "20", "100 base points", "20, injective", "100, injective"});
+  Table base_point_table({"patch: Dirichlet energy", "5 base points", "10", "20", "100",
+                          "20, injective", "100, injective"});
   Distortion_counts counts;
   for(const std::string name :
       {"alligator_3k", "bff_face_17k", "bff_maze_6k", "camelhead_11k",
@@ -202,7 +202,8 @@ void print_distortion(bool is_quick)
   counts.print();
   base_point_table.print();
   std::printf(
-      "With 20 at most 1.2 times what it is with 100 on %zu, of injective maps on %zu (all).\n\n",
+      "The energy with 20 base points is at most 1.2 times that with 100 on %zu patches; for "
+      "injective maps on %zu\n(target: all).\n\n",
       counts.settled, counts.settled_injective);
 }
 
@@ -210,9 +211,9 @@ void print_distortion(bool is_quick)
 // patches, which takes many minutes.
 void print_times(bool is_quick, bool is_patient)
 {
-  std::printf("Seconds, from the mesh to the map\n\n");
-  Table table({"patch", "vertices", "glle", "over n log n [ns]", "mds", "injective", "CGAL lscm",
-               "over glle", "CGAL arap", "over glle"});
+  std::printf("Processor times in seconds, including set-up\n\n");
+  Table table({"patch", "vertices", "glle", "glle / n log n [ns]", "mds", "injective", "CGAL lscm",
+               "lscm / glle", "CGAL arap", "arap / glle"});
   std::vector<std::pair<std::string, Mesh>> meshes = {{"square", jittered_square(32)}};
   if(auto mesh = load_model("camelhead_11k"))
     meshes.emplace_back("camelhead_11k", *mesh);
@@ -222,7 +223,7 @@ void print_times(bool is_quick, bool is_patient)
     if(auto mesh = load_model("terrain_st_helens_149k"))
     {
       meshes.emplace_back("terrain_st_helens_149k", *mesh);
-      meshes.emplace_back("  cut once", refined(*mesh));
+      meshes.emplace_back("  refined once", refined(*mesh));
     }
   }
   for(auto& [name, mesh] : meshes)
@@ -246,8 +247,8 @@ void print_times(bool is_quick, bool is_patient)
   }
   table.print();
   std::printf(
-      "Wanted of glle at 10,000, 100,000 and 600,000 vertices: 0.3, 1.5 and 11 s, a tenth of the "
-      "others at 600,000.\n\n");
+      "Targets for glle: 0.3, 1.5 and 11 s at 10,000, 100,000 and 600,000 vertices; a tenth of "
+      "CGAL's times at 600,000.\n\n");
 }
 
 // Returns the number of texels whose center is inside two or more faces.
@@ -277,9 +278,9 @@ std::size_t count_overlapping_texels(const Mesh& mesh, const std::vector<UV>& uv
 
 void print_atlases(bool is_quick)
 {
-  std::printf("Texture atlases of 2,048 texels, on two threads\n\n");
-  Table table({"model", "vertices", "asked for", "charts", "flips", "overlaps",
-               "texels taken twice", "coverage", "watch [s]", "processor [s]"});
+  std::printf("Texture atlases with 2,048 x 2,048 texels, two threads\n\n");
+  Table table({"model", "vertices", "requested charts", "charts", "flips", "overlaps",
+               "overlapping texels", "coverage", "wall-clock [s]", "processor [s]"});
   const auto add = [&](const std::string& name, const Mesh& mesh, std::size_t number)
   {
     std::vector<UV> uv(mesh.number_of_halfedges());
@@ -308,7 +309,7 @@ void print_atlases(bool is_quick)
   {
     add("bunny_37k", *mesh, 50);
     if(!is_quick)
-      add("  cut twice", refined(refined(*mesh)), 100);
+      add("  refined twice", refined(refined(*mesh)), 100);
   }
   if(auto mesh = load_model("armadillo_26k"))
     add("armadillo_26k", *mesh, 50);
@@ -316,7 +317,7 @@ void print_atlases(bool is_quick)
     if(auto mesh = load_model("mni152_grey_matter_533k"))
       add("mni152_grey_matter_533k", *mesh, 200);
   table.print();
-  std::printf("Wanted: 30 s for half a million vertices, no flips and no overlaps.\n\n");
+  std::printf("Targets: 30 s for half a million vertices, no flips, no overlaps.\n\n");
 }
 
 } // namespace

@@ -146,9 +146,9 @@ void add_capacity_row(Table& table, int cells, std::size_t exits, double toleran
 
 void print_mazes(bool is_quick)
 {
-  Table nearest_table({"maze", "vertices", "off exact, largest", "gap, largest", "iterations"});
-  Table capacity_table({"maze", "vertices", "exits", "to a gap of", "iterations, most",
-                        "gap, largest", "too full", "lost", "s each"});
+  Table nearest_table({"maze", "vertices", "maximum error", "maximum gap", "maximum iterations"});
+  Table capacity_table({"maze", "vertices", "exits", "tolerance", "maximum iterations",
+                        "maximum gap", "capacity excess", "lost mass", "mean time [s]"});
   for(const int cells : is_quick ? std::vector<int>{20} : std::vector<int>{20, 40, 80})
   {
     std::mt19937 random(1);
@@ -157,11 +157,14 @@ void print_mazes(bool is_quick)
       for(const double tolerance : {1e-2, 1e-3})
         add_capacity_row(capacity_table, cells, exits, tolerance, random);
   }
-  std::printf("The nearest of two exits, to a gap of 1e-6, relative to exact distances\n");
+  std::printf(
+      "Distance to the nearest of two exits with tolerance 1e-6: relative error over five mazes\n");
   nearest_table.print();
-  std::printf("To reach: 1e-5.\n\nFrom everywhere to exits that are too small, largest of five\n");
+  std::printf(
+      "Target: 1e-5.\n\nTransport of a uniform mass to exits with limited capacities: maxima over "
+      "five mazes\n");
   capacity_table.print();
-  std::printf("To reach: 1 %% in 150 iterations, capacities to 1e-6.\n\n");
+  std::printf("Targets: a gap of 1 %% in 150 iterations, capacity excess at most 1e-6.\n\n");
 }
 
 // Returns the vertices of a feature and the edges between them as sources. With the edges, a chain
@@ -256,8 +259,8 @@ std::vector<Vertex> longest_edge_path(Mesh mesh)
 
 void print_features(bool is_quick)
 {
-  Table table({"feature", "vertices", "mean off exact %", "largest %", "masses fixed, mean %",
-               "above exact", "iterations", "s"});
+  Table table({"feature", "vertices", "mean error %", "maximum %", "fixed masses, mean %",
+               "excess over exact", "iterations", "time [s]"});
   std::vector<std::string> names = {"fandisk_6k5", "camel_10k", "fsaverage5_inflated_left_10k"};
   if(!is_quick)
     names.insert(names.end(), {"bunny_37k", "nefertiti_35k", "armadillo_26k"});
@@ -270,14 +273,15 @@ void print_features(bool is_quick)
   if(!is_quick)
     add_feature_row(table, "sphere, three points", icosphere(6),
                     {Vertex(0), Vertex(5), Vertex(11)});
-  std::printf("Distances to features from one solution, relative to the largest\n");
+  std::printf("Distances to features from one optimal transport: errors relative to the maximum "
+              "distance\n");
   table.print();
-  std::printf("To reach: a mean of 1 %%, 2 s for 50,000 vertices.\n\n");
+  std::printf("Targets: mean error of 1 %%, 2 s for 50,000 vertices.\n\n");
 }
 
 void print_refraction()
 {
-  Table table({"vertices", "refined", "rays", "off Snell's law %, mean", "largest"});
+  Table table({"vertices", "refinements", "rays", "mean error %", "maximum error %"});
   constexpr std::size_t cells = 80;
   const Mesh mesh = mesh_of(CGAL::Geodesic_processing::test::square(cells));
   const auto speed = boost::make_function_property_map<Face>(
@@ -321,9 +325,11 @@ void print_refraction()
                std::to_string(rays), format_fixed(100. * mean, 3),
                format_fixed(100. * largest, 3)});
   }
-  std::printf("Between random places on both sides of a square, one three times as slow\n");
+  std::printf(
+      "Travel time between random points in the two halves of a square, one of them three times\n"
+      "slower, compared with Snell's law\n");
   table.print();
-  std::printf("To reach: 0.15 %%.\n");
+  std::printf("Target: 0.15 %%.\n");
 }
 
 } // namespace
