@@ -7,7 +7,7 @@
 # their results. Run it before and after a change that must not alter any result.
 #   BEFORE_BUILD, AFTER_BUILD   build folders with demos (-DGEODESIC_PROCESSING_DEMOS=ON), the same
 #                               build type and the same compiler; both must be on this machine
-#   DATA                        folder with real models (default: shared/data beside the
+#   DATA                        folder with real models (default: shared/data next to the
 #                               repository); without it, the commands on real models are skipped
 #   --no-messages   ignore the words of standard error, of help texts and of readable results
 #   --only REGEX    only commands that match
