@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measures the time to place an image on a large mesh.
+// Measures the time of decal placement and baking on large meshes.
 #include <CGAL/Geodesic_processing.h>
 
 #include "models.h"
