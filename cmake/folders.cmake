@@ -20,7 +20,7 @@ set(parameterization_uses core distances mesh numerics sampling)
 set(subdivision_uses core mesh)
 set(remeshing_uses core distances mesh paths sampling spatial_search subdivision)
 set(transport_uses core mesh numerics operators paths spatial_search)
-# Headers only: the adaptors turn property maps and named parameters into arrays and back.
+# The adaptors convert property maps and named parameters to arrays and back.  They are headers only.
 set(adaptors_uses core distances log_map mesh operators parameterization paths remeshing sampling
                   surfels transport)
 

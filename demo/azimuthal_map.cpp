@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Maps a sphere to the plane by the logarithmic map at a pole and measures error and distortion.
+// Maps a sphere to the plane by the logarithmic map at a pole and measures the maximum error.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -76,9 +76,10 @@ int main(int argc, char* argv[])
       flat.add_face(corners);
   }
 
-  const auto stretch = [&](double angle) { return angle / std::sin(angle); };
-  std::cout << "Places are off by " << max_error << " radii at most.  What lies along a circle of"
-            << " latitude is " << stretch(90. * degree) << " times as long at the equator, and "
-            << stretch(max_angle) << " times at the rim, as on the globe.\n";
+  // Lengths along circles of latitude are stretched by this factor.
+  const auto stretch = [](double colatitude) { return colatitude / std::sin(colatitude); };
+  std::cout << "The maximum error is " << max_error << " times the radius of the sphere.  Lengths"
+            << " along circles of latitude are stretched by a factor of " << stretch(90. * degree)
+            << " at the equator and " << stretch(max_angle) << " at the boundary of the map.\n";
   return CGAL::IO::write_polygon_mesh(argv[1], flat) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

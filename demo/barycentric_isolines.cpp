@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
   // The maximum coordinate is 1 at base vertices and 1/3 at the centers of base faces.  Isolated
   // vertices have no base location.
   const auto max_coordinate =
-      mesh.add_property_map<Mesh::Vertex_index, double>("v:share", 0.).first;
+      mesh.add_property_map<Mesh::Vertex_index, double>("v:coordinate", 0.).first;
   for(const auto v : mesh.vertices())
     if(!mesh.is_isolated(v))
     {
@@ -47,8 +47,8 @@ int main(int argc, char* argv[])
     corners.push_back(base.base_vertex(i));
   const auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   GP::geodesic_distances(mesh, corners, distance);
-  std::cout << base.number_of_base_faces() << " base faces, of which " << base.repaired_faces()
-            << " have mean value coordinates; " << base.number_of_flips()
+  std::cout << base.number_of_base_faces() << " base faces, " << base.repaired_faces()
+            << " of them repaired by mean value coordinates; " << base.number_of_flips()
             << " inverted triangles.\n";
   return CGAL::IO::write_polygon_mesh(argv[3], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -59,7 +59,7 @@ int main(int argc, char* argv[])
     Picture picture;
     if(!read(argv[i + 1], picture))
     {
-      std::cerr << argv[i + 1] << " is no PNG file.\n";
+      std::cerr << argv[i + 1] << " is not a PNG file.\n";
       return EXIT_FAILURE;
     }
     if(i == 0)
@@ -71,7 +71,7 @@ int main(int argc, char* argv[])
     }
     if(picture.width / 2 != width || picture.height / 2 != height)
     {
-      std::cerr << argv[i + 1] << " has another size than " << argv[1] << ".\n";
+      std::cerr << argv[i + 1] << " and " << argv[1] << " have different sizes.\n";
       return EXIT_FAILURE;
     }
     for(std::size_t y = 0; y < height; ++y)
@@ -83,6 +83,6 @@ int main(int argc, char* argv[])
           result.at(i % columns * width + x, i / columns * height + y, c) = png_byte(sum / 4);
         }
   }
-  std::cout << number << " pictures.\n";
+  std::cout << number << " pictures arranged.\n";
   return write(argv[argc - 1], result) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

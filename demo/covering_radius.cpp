@@ -40,9 +40,9 @@ int main(int argc, char* argv[])
   // hexagons of area 1.5 sqrt(3) r^2.
   const double area = CGAL::Polygon_mesh_processing::area(mesh);
   for(std::size_t n = 10; n <= radii.size(); n *= 10)
-    std::cout << n << " samples cover with discs of radius " << radii[n - 1] << ", "
+    std::cout << n << " samples have a covering radius of " << radii[n - 1] << ", "
               << radii[n - 1] / std::sqrt(area / (1.5 * std::sqrt(3.) * double(n)))
-              << " times that of a honeycomb.\n";
+              << " times that of a hexagonal lattice.\n";
 
   samples.resize(std::min<std::size_t>(samples.size(), 100));
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;

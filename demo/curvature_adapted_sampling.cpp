@@ -47,14 +47,14 @@ int main(int argc, char* argv[])
         const auto normal = PMP::compute_face_normal(sample.first, mesh);
         sum += std::abs(normal * (mesh.point(v) - PMP::construct_point(sample, mesh)));
       }
-    std::cout << "Planes at 1000 samples, " << description << ", leave "
-              << sum / double(mesh.number_of_vertices()) << ".\n";
+    std::cout << description << ": the mean distance of vertices to the tangent planes at 1,000"
+              << " samples is " << sum / double(mesh.number_of_vertices()) << ".\n";
   };
-  print_error("spread evenly");
+  print_error("Uniform samples");
   GP::curvature_speeds<GP::Edge_repulsive>(mesh, speed);
-  print_error("driven away from creases");
+  print_error("Sparser samples at creases");
   GP::curvature_speeds<GP::Edge_attractive>(mesh, speed);
-  print_error("drawn to creases");
+  print_error("Denser samples at creases");
   GP::geodesic_distances(mesh, samples, mesh.add_property_map<Vertex, double>("v:distance").first);
   return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

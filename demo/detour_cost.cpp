@@ -27,7 +27,7 @@ namespace GP = CGAL::Geodesic_processing;
 Distances compute_detours(const char* name, const Distances& p, const Distances& q,
                           std::size_t p_index, std::size_t q_index)
 {
-  const double there = p[q_index], back = q[p_index], distance = 0.5 * (there + back);
+  const double forward = p[q_index], backward = q[p_index], distance = 0.5 * (forward + backward);
   Distances result;
   std::size_t number_of_violations = 0;
   for(std::size_t v = 0; v < p.size(); ++v)
@@ -35,9 +35,11 @@ Distances compute_detours(const char* name, const Distances& p, const Distances&
     result.push_back((p[v] + q[v]) / distance - 1.);
     number_of_violations += result.back() < -1e-6; // beyond round-off errors
   }
-  std::cout << name << ": over " << number_of_violations << " of " << p.size() << " vertices, by "
+  std::cout << name << " violate the triangle inequality at " << number_of_violations << " of "
+            << p.size() << " vertices, by at most "
             << 100. * (std::max)(0., -*std::min_element(result.begin(), result.end()))
-            << " % at most; there " << there << ", back " << back << '\n';
+            << " %; the distance from p to q is " << forward << ", from q to p " << backward
+            << ".\n";
   return result;
 }
 
@@ -62,8 +64,8 @@ int main(int argc, char* argv[])
   const auto heat = [&](Vertex from) { GP::geodesic_distances<GP::Heat>(domain, from, map); };
   const Distances by_transport = compute_detours(
       "Spectral distances", compute_distances(p, spectral), compute_distances(q, spectral), p, q);
-  const Distances by_heat =
-      compute_detours("By heat", compute_distances(p, heat), compute_distances(q, heat), p, q);
+  const Distances by_heat = compute_detours("Heat distances", compute_distances(p, heat),
+                                            compute_distances(q, heat), p, q);
 
   // Writes both results next to each other, the one of the heat method rotated by 180 degrees.  If
   // the triangle inequality is violated, the value is set to the minimum of the color range.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compares distances from one vertex: geodesic, transport with fewer and fewer flows, biharmonic.
+// Compares distances from one vertex: geodesic, transport with decreasing basis sizes, biharmonic.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -37,7 +37,7 @@ void append_copy(Mesh& output, const Mesh& mesh, const std::string& name, double
   for(Vertex v : copy.vertices())
     map[v] /= largest;
   output += copy;
-  std::cout << name << ": " << sum / geodesic_sum << " times geodesic distances\n";
+  std::cout << name << ": " << sum / geodesic_sum << " times the mean geodesic distance\n";
 }
 
 int main(int argc, char* argv[])
@@ -49,7 +49,7 @@ int main(int argc, char* argv[])
   const double step = 1.1 * (box.xmax() - box.xmin());
   const Vertex from(Mesh::size_type(std::stoul(argv[2])));
   auto map = mesh.add_property_map<Vertex, double>("v:distance", 0.).first;
-  auto uniform = mesh.add_property_map<Vertex, double>("v:even", 1.).first;
+  auto uniform = mesh.add_property_map<Vertex, double>("v:uniform", 1.).first;
   output.add_property_map<Vertex, double>("v:distance", 0.);
   const auto domain = GP::make_domain(mesh);
 
@@ -57,20 +57,22 @@ int main(int argc, char* argv[])
   double geodesic_sum = 0.;
   for(Vertex v : mesh.vertices())
     geodesic_sum += map[v];
-  append_copy(output, mesh, "Geodesic", step, geodesic_sum);
+  append_copy(output, mesh, "Geodesic distance", step, geodesic_sum);
   // If all mass is transported to one vertex, the potential decreases by the distance to it.
   GP::Earth_movers_solver<Mesh> solver(domain);
   solver.compute(GP::mass_density(uniform), from, GP::parameters::do_normalize(true));
   for(Vertex v : mesh.vertices())
     map[v] = solver.potential(from) - solver.potential(v);
-  append_copy(output, mesh, "Transport by all flows", step, geodesic_sum);
+  append_copy(output, mesh, "Transport distance", step, geodesic_sum);
   for(const std::size_t k : {100, 10, 0})
   {
     const GP::Transport_metric<Mesh> metric(domain, k);
     metric.write_distances<CGAL::Parallel_tag>(from, map);
-    append_copy(output, mesh, "k = " + std::to_string(metric.basis_size()), step, geodesic_sum);
+    append_copy(output, mesh,
+                "Transport distance, basis size " + std::to_string(metric.basis_size()), step,
+                geodesic_sum);
   }
   GP::Biharmonic_metric<Mesh>(domain).write_distances(from, map);
-  append_copy(output, mesh, "Biharmonic", step, geodesic_sum);
+  append_copy(output, mesh, "Biharmonic distance", step, geodesic_sum);
   return CGAL::IO::write_polygon_mesh(argv[3], output) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -33,10 +33,10 @@ int main(int argc, char* argv[])
   const auto is_closer = [&](Vertex a, Vertex b) { return distance[a] < distance[b]; };
   const Vertex farthest =
       *std::max_element(mesh.vertices().begin(), mesh.vertices().end(), is_closer);
-  const double flight =
+  const double euclidean_distance =
       std::sqrt(CGAL::squared_distance(mesh.point(Vertex(0)), mesh.point(farthest)));
 
-  std::cout << "Vertex " << farthest.idx() << " is farthest: " << distance[farthest] << " on foot, "
-            << flight << " as the crow flies.\n";
+  std::cout << "Vertex " << farthest.idx() << " has the maximum geodesic distance, "
+            << distance[farthest] << "; its Euclidean distance is " << euclidean_distance << ".\n";
   return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -41,14 +41,14 @@ int main(int argc, char* argv[])
     for(Vertex v : mesh.vertices())
       number_of_likely_vertices += likelihood[v] > 0.5;
     std::cout << name << ": " << number_of_likely_vertices << " of " << num_vertices(mesh)
-              << " vertices are more likely than a half\n";
+              << " vertices have a likelihood above 0.5\n";
     output += mesh;
     for(Vertex v : mesh.vertices())
       mesh.point(v) = mesh.point(v) + step;
   };
   GP::fuzzy_geodesic_by_distances(domain, p, q, likelihood, width);
-  append_copy("By detours");
+  append_copy("From the length of detours");
   GP::fuzzy_geodesic(domain, p, q, likelihood, width);
-  append_copy("By a flow");
+  append_copy("From an optimal flow");
   return CGAL::IO::write_polygon_mesh(argv[4], output) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -39,7 +39,7 @@ int main(int argc, char* argv[])
   for(const char* name : {"f:flow", "f:gradient", "f:rotation", "f:harmonic"})
     field.push_back(mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>(name).first);
   GP::Region_transport_solver<Mesh> solver(mesh, to);
-  std::cout << "A unit of mass moves by " << solver.compute(from).value << ".\n";
+  std::cout << "Transport distance to the nearest target: " << solver.compute(from).value << ".\n";
   solver.write_flow(field[0]);
   GP::hodge_decomposition(solver.domain(), field[0], field[1], field[2], field[3]);
 
@@ -78,11 +78,11 @@ int main(int argc, char* argv[])
         lines.push_back(CGAL::ORIGIN + center);
         lines.push_back(CGAL::ORIGIN + center + scale * field[i][f]);
       }
-    std::cout << 100. * squared_norm / total_squared_norm << (i == 0 ? " % are " : " % ")
-              << (i == 0   ? "the flow"
-                  : i == 1 ? "gradient"
-                  : i == 2 ? "turn"
-                           : "wind around")
+    std::cout << 100. * squared_norm / total_squared_norm << " % of the squared norm: "
+              << (i == 0   ? "flow"
+                  : i == 1 ? "gradient component"
+                  : i == 2 ? "rotational component"
+                           : "harmonic component")
               << '\n';
     output += mesh;
     for(Vertex v : mesh.vertices())

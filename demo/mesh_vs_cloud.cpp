@@ -46,8 +46,8 @@ int main(int argc, char* argv[])
       sum += on_mesh[v];
       difference += std::abs(on_mesh[v] - on_cloud[v.idx()]);
     }
-  std::cout << "Without triangles the distances differ by " << 100. * difference / sum
-            << " % in the mean.\n";
+  std::cout << "Distances on the cloud differ from distances on the mesh by "
+            << 100. * difference / sum << " % on average.\n";
 
   std::ofstream result(argv[2]);
   return result << cloud ? EXIT_SUCCESS : EXIT_FAILURE;

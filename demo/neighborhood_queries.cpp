@@ -43,7 +43,7 @@ int main(int argc, char* argv[])
   timer.stop();
 
   const double n = double(mesh.number_of_vertices());
-  std::cout << "Within " << radius << " of a vertex there are " << number_of_neighbors / n
-            << " vertices in the mean; to ask takes " << 1e6 * timer.time() / n
+  std::cout << "A radius of " << radius << " around a vertex contains " << number_of_neighbors / n
+            << " vertices on average; a query takes " << 1e6 * timer.time() / n
             << " microseconds.\n";
 }

@@ -46,6 +46,7 @@ int main(int argc, char* argv[])
     longest = (std::max)(longest, path.length);
   }
   std::nth_element(milliseconds.begin(), milliseconds.begin() + 50, milliseconds.end());
-  std::cout << "A path between two random vertices of " << mesh.number_of_vertices() << " takes "
-            << milliseconds[50] << " ms in the median; the longest of 101 is " << longest << ".\n";
+  std::cout << "The median time of 101 paths between random vertices of a mesh with "
+            << mesh.number_of_vertices() << " vertices is " << milliseconds[50]
+            << " ms; the maximum length is " << longest << ".\n";
 }

@@ -43,16 +43,16 @@ int main(int argc, char* argv[])
   }
 
   GP::geodesic_delaunay_remeshing(mesh, 0, coarse);
-  std::cout << coarse.number_of_vertices() << " vertices were enough for the topology of "
-            << mesh.number_of_vertices() << ".\n";
+  std::cout << "The topology of the input with " << mesh.number_of_vertices()
+            << " vertices requires " << coarse.number_of_vertices() << " vertices.\n";
 
   for(const std::size_t steps : {0, 10})
   {
     even.clear();
     GP::geodesic_delaunay_remeshing(mesh, 2000, even,
                                     GP::parameters::number_of_relaxation_steps(steps));
-    std::cout << even.number_of_vertices() << " after " << steps
-              << " steps: the smallest angles of faces have a mean of "
+    std::cout << even.number_of_vertices() << " vertices after " << steps
+              << " relaxation steps: the mean of the minimum angles of faces is "
               << mean_of_smallest_angles(even) << " degrees.\n";
   }
   return CGAL::IO::write_polygon_mesh(argv[2], even) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -45,7 +45,7 @@ void append(Mesh& output, Mesh mesh, const char* name, Vertex from, double step)
     return 100. * sum / double(n);
   };
   std::cout << name << ": spectral distances change by " << relative_change("v:distance")
-            << " %, geodesic ones by " << relative_change("v:geodesic") << " %\n";
+            << " %, geodesic distances by " << relative_change("v:geodesic") << " %\n";
 }
 
 int main(int argc, char* argv[])
@@ -58,7 +58,7 @@ int main(int argc, char* argv[])
   output.add_property_map<Vertex, double>("v:geodesic", 0.);
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double step = 1.2 * (box.xmax() - box.xmin()), height = box.ymax() - box.ymin();
-  append(output, mesh, "As it is", from, step);
+  append(output, mesh, "Input", from, step);
 
   double edge = 0.;
   for(auto h : mesh.halfedges())
@@ -73,7 +73,8 @@ int main(int argc, char* argv[])
     for(Vertex v : noisy.vertices())
       noisy.point(v) +=
           noise_ratio * edge * Kernel::Vector_3(normal(random), normal(random), normal(random));
-    append(output, noisy, noise_ratio < 0.2 ? "Noise of 0.1 edges" : "Noise of 0.3 edges", from,
+    append(output, noisy,
+           noise_ratio < 0.2 ? "Noise of 0.1 edge lengths" : "Noise of 0.3 edge lengths", from,
            step);
   }
 
@@ -95,6 +96,6 @@ int main(int argc, char* argv[])
           v, neck + Kernel::Vector_3(c * d.x() + s * d.z(), d.y(), c * d.z() - s * d.x()));
     }
   deformation.deform(20, 0.);
-  append(output, mesh, "With its head turned", from, step);
+  append(output, mesh, "Rotated head", from, step);
   return CGAL::IO::write_polygon_mesh(argv[3], output) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

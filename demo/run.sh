@@ -156,8 +156,8 @@ shown() { printf '%s' "$*" | sed -e "s|[^ ]*/||g" | escape; }
 drawn=()
 wait_for_pictures()
 {
-  local most=$1 id rest
-  while [ ${#drawn[@]} -gt "$most" ]; do
+  local limit=$1 id rest
+  while [ ${#drawn[@]} -gt "$limit" ]; do
     wait -n "${drawn[@]}"
     rest=()
     for id in "${drawn[@]}"; do
@@ -179,14 +179,14 @@ picture()
 
 draw()
 {
-  local name=$1 sentence=$2 begin=$SECONDS
+  local name=$1 caption=$2 begin=$SECONDS
   shift 2
   rm -f "$gallery/$name.png"
   if "$build/geodesic" "$@" --quiet --picture "$gallery/$name.png" >>$log 2>"$this_part.errors" &&
      [ -s "$gallery/$name.png" ]; then
-    printf '%-24s %3d s  %s\n' "$name" $((SECONDS - begin)) "$sentence"
+    printf '%-24s %3d s  %s\n' "$name" $((SECONDS - begin)) "$caption"
     printf '<figure><img src="%s.png" alt=""><figcaption><p>%s</p><code>geodesic %s</code></figcaption></figure>\n' \
-      "$name" "$(printf '%s' "$sentence" | escape)" "$(shown "$@")" >"$this_part.html"
+      "$name" "$(printf '%s' "$caption" | escape)" "$(shown "$@")" >"$this_part.html"
   else
     touch "$this_part.failed"
     printf '%-24s FAILED: geodesic %s\n' "$name" "$*" >&2
@@ -203,24 +203,24 @@ program()
 {
   wait_for_pictures 0
   next_part
-  local name=$1 file=${as:-$1} question answer picture=''
+  local name=$1 file=${as:-$1} caption output picture=''
   local shown_by=(--property "${property:-distance}")
   [ "${property-}" != none ] || shown_by=()
   shift
-  question=$(sed -n '4s|^// ||p' "demo/$name.cpp")
-  printf '\n%s\n' "$question"
+  caption=$(sed -n '4s|^// ||p' "demo/$name.cpp")
+  printf '\n%s\n' "$caption"
   rm -f "$gallery/$file.png"
-  if answer=$("$build/demo/$name" "$@" 2>&1); then
-    printf '%s\n' "$answer"
+  if output=$("$build/demo/$name" "$@" 2>&1); then
+    printf '%s\n' "$output"
     [[ ${!#} != *.ply ]] || "$build/geodesic" info "${!#}" "${shown_by[@]}" --quiet \
       --picture "$gallery/$file.png" >>$log 2>&1
     [ ! -s "$gallery/$file.png" ] || picture="<img src=\"$file.png\" alt=\"\">"
     printf '<figure>%s<figcaption><p>%s</p><pre>%s</pre><code>%s</code></figcaption></figure>\n' \
-      "$picture" "$(printf '%s' "$question" | escape)" "$(printf '%s' "$answer" | escape)" \
+      "$picture" "$(printf '%s' "$caption" | escape)" "$(printf '%s' "$output" | escape)" \
       "$(shown "$name" "$@")" >"$this_part.html"
   else
     touch "$this_part.failed"
-    printf '%s FAILED: %s\n' "$name" "$answer" >&2
+    printf '%s FAILED: %s\n' "$name" "$output" >&2
   fi
 }
 
@@ -458,13 +458,13 @@ as=hodge_decomposition_maze property=none program hodge_decomposition $models/ma
   $build/hodge_decomposition_maze.ply
 program compare_methods "$small"
 program mesh_vs_cloud "$animal" $build/cloud.ply
-program voronoi_areas "$bear" $build/lands.ply
+program voronoi_areas "$bear" $build/voronoi_areas.ply
 program path_queries "$animal"
 program neighborhood_queries "$animal"
 program remeshing "$animal" $build/remeshed.off
-property=share program barycentric_isolines "$animal" 100 $build/shares.ply
+property=coordinate program barycentric_isolines "$animal" 100 $build/barycentric_isolines.ply
 picture base-distance "Distance to the nearest base vertex" \
-  info $build/shares.ply --property distance
+  info $build/barycentric_isolines.ply --property distance
 picture step-sample "100 samples by farthest point sampling" sample "$animal" --number 100
 picture step-voronoi "Geodesic Voronoi cells of 100 samples" voronoi "$animal" --number 100
 picture step-remesh "Remeshing: the dual triangulation of 100 Voronoi cells" \

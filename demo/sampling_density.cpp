@@ -44,8 +44,8 @@ int main(int argc, char* argv[])
                          [&](const auto& sample)
                          { return PMP::construct_point(sample, mesh).y() > height; });
   };
-  std::cout << "Of 1,000 samples " << number_above(GP::parameters::speed_map(speed))
-            << " are above, where fronts are slow; " << number_above(GP::parameters::random_seed(0))
-            << " are, where they are not.\n";
+  std::cout << "The upper third contains " << number_above(GP::parameters::speed_map(speed))
+            << " of 1,000 samples with low speed, and "
+            << number_above(GP::parameters::random_seed(0)) << " with uniform speed.\n";
   return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -45,9 +45,9 @@ int main(int argc, char* argv[])
   const auto number_of_slow_samples = std::count_if(
       samples.begin(), samples.end(),
       [&](const auto& sample) { return PMP::construct_point(sample, mesh).x() < 100.; });
-  std::cout << "Of " << number << " samples " << number_of_slow_samples
-            << " lie in the slow half: four times as close to each other"
-            << " are 16 times as many, " << std::lround(16. / 17. * number) << ".\n";
+  std::cout << "The slow half contains " << number_of_slow_samples << " of " << number
+            << " samples; " << std::lround(16. / 17. * number)
+            << " are expected, because a quarter of the spacing gives 16 times the density.\n";
 
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
   GP::geodesic_distances(mesh, samples, distance, GP::parameters::speed_map(speed));

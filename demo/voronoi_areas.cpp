@@ -47,7 +47,7 @@ int main(int argc, char* argv[])
           CGAL::Polygon_mesh_processing::face_area(f, mesh) / 3.;
 
   const auto [smallest, largest] = std::minmax_element(areas.begin(), areas.begin() + 20);
-  std::cout << "The largest of 20 lands has " << *largest / *smallest
-            << " times the area of the smallest.\n";
+  std::cout << "The area of the largest of 20 Voronoi cells is " << *largest / *smallest
+            << " times that of the smallest.\n";
   return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

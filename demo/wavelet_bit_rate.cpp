@@ -45,8 +45,8 @@ int main(int argc, char* argv[])
     double sum = 0.;
     for(const auto v : decoded.vertices())
       sum += tree.squared_distance(decoded.point(v));
-    std::cout << bits << " bits leave them "
-              << std::sqrt(sum / double(decoded.number_of_vertices())) << " from the surface.\n";
+    std::cout << bits << " bits per vertex: the root mean square distance to the input is "
+              << std::sqrt(sum / double(decoded.number_of_vertices())) << ".\n";
   }
   return CGAL::IO::write_polygon_mesh(argv[2], subdivided) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

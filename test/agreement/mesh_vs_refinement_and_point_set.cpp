@@ -66,7 +66,7 @@ void expect_agreement_with_refined(const Triangulation& shape)
     if(method != Method::dijkstra)
       continue;
     for(Index i = 0; i < d.size(); ++i) // the refined mesh contains the original edges
-      EXPECT_LE(on_fine[i], d[i] * (1. + rounding));
+      EXPECT_LE(on_fine[i], d[i] * (1. + round_off_tolerance));
   }
 }
 

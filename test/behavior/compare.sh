@@ -7,7 +7,7 @@
 # their results. Run it before and after a change that must not alter any result.
 #   BEFORE_BUILD, AFTER_BUILD   build folders with demos (-DGEODESIC_PROCESSING_DEMOS=ON), the same
 #                               build type and the same compiler; both must be on this machine
-#   DATA                        folder with real models (default: shared/data beside the
+#   DATA                        folder with real models (default: shared/data next to the
 #                               repository); without it, the commands on real models are skipped
 #   --no-messages   ignore the words of standard error, of help texts and of readable results
 #   --only REGEX    only commands that match
@@ -44,7 +44,7 @@ data=$(realpath -m "${3:-$here/../../../shared/data}")
 for build in "$before" "$after"; do
   [ -x "$build/geodesic" ] || fail "$build has no program geodesic."
 done
-for demo in make_models make_picture; do
+for demo in make_models make_test_image; do
   [ -x "$before/demo/$demo" ] || fail "$before has no $demo; build it with demos."
 done
 
@@ -737,7 +737,7 @@ export -f run run_both library_calls cached
 echo "Generating models"
 generate_models()
 {
-  cd "$models" && "$before/demo/make_models" . && "$before/demo/make_picture" rings.png &&
+  cd "$models" && "$before/demo/make_models" . && "$before/demo/make_test_image" rings.png &&
     python3 "$work/models.py" &&
     "$before/geodesic" semiregular ring.off --number 30 --levels 4 --quiet -o levels.ply &&
     "$before/geodesic" wavelet levels.ply --bits 4 --quiet -o levels.gpw &&

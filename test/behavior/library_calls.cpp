@@ -86,7 +86,7 @@ void print_path(const std::string& name, const Path& path)
     print(name, p);
 }
 
-// The bounds and the value of a transport.
+// Prints the value and the bounds of a transport.
 template <typename Cost>
 void print_cost(const std::string& name, const Cost& cost)
 {
@@ -103,9 +103,9 @@ void print_map(const std::string& name, const Mesh& mesh, const Map& map)
     print(name + ' ' + std::to_string(std::uint32_t(v)), get(map, v));
 }
 
-// Whether a call reports, by its result or by an exception, that its callback cancelled it.
+// Returns true if a call reports by its result or by an exception that its callback canceled it.
 template <typename Function>
-bool is_cancelled(const Function& call)
+bool is_canceled(const Function& call)
 {
   try
   {
@@ -119,7 +119,8 @@ bool is_cancelled(const Function& call)
 
 // ---------------------------------------------------------------------------------------- models
 
-// A sphere with bumps: 10 * 4^levels + 2 vertices, and the same triangles in each build.
+// Returns a sphere with bumps. It has 10 * 4^levels + 2 vertices and the same triangles in each
+// build.
 Mesh bumpy_sphere(int levels)
 {
   Mesh result;
@@ -160,7 +161,7 @@ Mesh bumpy_sphere(int levels)
   return result;
 }
 
-// A sheet of (n + 1)^2 vertices with a hill, side length 2.
+// Returns a square sheet of (n + 1)^2 vertices with a hill and a width of 2.
 Mesh hill(int n)
 {
   Mesh result;
@@ -196,7 +197,7 @@ Mesh torus(int length, int girth)
   return result;
 }
 
-// A spiral on an ellipsoid, from pole to pole.
+// Returns surfels along a spiral on an ellipsoid, from pole to pole.
 Surfels ellipsoid(int n, double noise)
 {
   Surfels result;
@@ -277,7 +278,7 @@ void solver(const Mesh& mesh)
   const auto departure = exact.departure(Vertex(5));
   print("departure", departure.direction);
   print("polar angle", departure.polar_angle);
-  print("cancelled", is_cancelled(
+  print("canceled", is_canceled(
                          [&] {
                            return exact.compute(
                                Vertex(1), params::callback(Callback([](double) { return false; })));
@@ -493,7 +494,7 @@ void base(Mesh& mesh)
 void polyline()
 {
   section = "shortened polyline";
-  // Around a unit sphere that is known by its squared distance alone.
+  // The obstacle is a unit sphere, given only by its squared distance function.
   std::vector<Point> chain;
   for(int i = 0; i <= 40; ++i)
     chain.emplace_back(std::cos(0.05 * i), std::sin(0.05 * i), 0.3 * std::sin(CGAL_PI * i / 40.));

@@ -14,6 +14,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -204,7 +207,7 @@ public:
 
   Panel panel(const std::string& title) const
   {
-    Panel result{title, "mean length of the edges", {}};
+    Panel result{title, "mean edge length", {}};
     for(const auto& [method, points] : m_points)
       result.series.push_back({methods[method], method, order(method), points});
     return result;
@@ -224,65 +227,59 @@ reference_distances(const Mesh& mesh, const std::vector<Vertex>& sources,
   return result;
 }
 
-} // namespace
-
-// accuracy [--quick] [PLOT.svg]
-int main(int argc, char* argv[])
+// Compares the methods with great circle distances on unit spheres.
+Convergence print_spheres(bool quick)
 {
-  bool quick = false;
-  std::string plot;
-  for(int i = 1; i < argc; ++i)
-    if(std::strcmp(argv[i], "--quick") == 0)
-      quick = true;
-    else
-      plot = argv[i];
-
-  std::printf("Accuracy: mean / largest relative error in percent, one vertex as source; vertices\n"
-              "nearer than 5 %% of the largest distance are left out.\n\n");
-
-  std::printf("Unit sphere, against great circles\n");
-  Convergence on_sphere;
+  std::printf("Unit sphere, compared with great circles\n");
+  Convergence result;
+  Accuracy_table table;
+  for(unsigned level = 3; level <= (quick ? 5u : 8u); ++level)
   {
-    Accuracy_table table;
-    for(unsigned level = 3; level <= (quick ? 5u : 8u); ++level)
-    {
-      Mesh mesh = icosphere(level);
-      const auto sources = three_sources(num_vertices(mesh));
-      on_sphere.add(mean_edge_length(mesh),
-                    table.add("icosphere " + std::to_string(level), mesh, sources,
-                              reference_distances(mesh, sources, great_circle_distances)));
-    }
-    table.print();
-    std::printf("Bars for Euclidean_front, mean: 0.15 at 10242 and 0.037 at 163842 vertices.\n");
-    on_sphere.print("Unit sphere, finest three");
+    Mesh mesh = icosphere(level);
+    const auto sources = three_sources(num_vertices(mesh));
+    result.add(mean_edge_length(mesh),
+               table.add("icosphere " + std::to_string(level), mesh, sources,
+                         reference_distances(mesh, sources, great_circle_distances)));
   }
+  table.print();
+  std::printf(
+      "Targets for the mean of Euclidean_front: 0.15 at 10242 and 0.037 at 163842 vertices.\n");
+  result.print("Unit sphere, three finest meshes");
+  return result;
+}
 
-  std::printf("Flat square, jittered grid with random diagonals, against straight lines\n");
+// Compares the methods with straight lines on flat squares.
+void print_squares(bool quick)
+{
+  std::printf("Flat square (jittered grid, random diagonals), compared with straight lines\n");
+  Accuracy_table table;
+  double obtuse_ratio = 0.;
+  for(const std::size_t n :
+      quick ? std::vector<std::size_t>{101} : std::vector<std::size_t>{101, 301, 1001})
   {
-    Accuracy_table table;
-    double obtuse_ratio = 0.;
-    for(const std::size_t n :
-        quick ? std::vector<std::size_t>{101} : std::vector<std::size_t>{101, 301, 1001})
-    {
-      Mesh mesh = jittered_square(n);
-      obtuse_ratio = obtuse_face_ratio(mesh);
-      const auto sources = three_sources(num_vertices(mesh));
-      table.add("square " + std::to_string(n) + "^2", mesh, sources,
-                reference_distances(mesh, sources, euclidean_distances));
-    }
-    table.print();
-    std::printf("Bar for Euclidean_front, largest: 1e-4 percent.  %.0f %% of the faces are "
-                "obtuse.\n\n",
-                100. * obtuse_ratio);
+    Mesh mesh = jittered_square(n);
+    obtuse_ratio = obtuse_face_ratio(mesh);
+    const auto sources = three_sources(num_vertices(mesh));
+    table.add("square " + std::to_string(n) + "^2", mesh, sources,
+              reference_distances(mesh, sources, euclidean_distances));
   }
+  table.print();
+  std::printf("Target for the maximum of Euclidean_front: 1e-4 percent. %.0f %% of the faces are "
+              "obtuse.\n\n",
+              100. * obtuse_ratio);
+}
 
-  Convergence on_scan;
+// Compares the methods with exact distances on models. Returns the convergence on refinements of
+// the first model, or nothing if no model is found.
+std::optional<Convergence> print_models(bool quick)
+{
   const auto names =
       quick ? std::vector<std::string>{"elephant_2k8", "kitten_9k"}
             : std::vector<std::string>{"bunny_37k",    "armadillo_26k",     "nefertiti_35k",
                                        "boot_20k",     "fandisk_6k5",       "kitten_9k",
                                        "camel_10k",    "human_man_7k",      "eight_5k",
                                        "elephant_2k8", "chinese_dragon_10k"};
+  Convergence result;
   Accuracy_table table;
   std::size_t found = 0;
   for(const std::string& name : names)
@@ -297,37 +294,58 @@ int main(int argc, char* argv[])
     if(name != names.front())
       continue;
     // Refinement changes neither the surface nor its distances. The reference is therefore reused.
-    on_scan.add(mean_edge_length(*mesh), means);
+    result.add(mean_edge_length(*mesh), means);
     Mesh finer = *mesh;
-    for(const std::string suffix : {" once", " twice"})
+    for(const std::string suffix : {", refined once", ", refined twice"})
     {
       finer = refined(finer);
-      on_scan.add(mean_edge_length(finer), table.add(name + suffix, finer, sources, reference));
+      result.add(mean_edge_length(finer), table.add(name + suffix, finer, sources, reference));
     }
   }
   if(found == 0)
-    std::printf("No models: there is no folder %s.\n", GEODESIC_PROCESSING_DATA);
-  else
   {
-    std::printf(
-        "Models, against CGAL's exact algorithm; \"once\" and \"twice\" are the same surface "
-        "with each\nface cut into four\n");
-    table.print();
-    std::printf("Bars for bunny_37k, armadillo_26k and nefertiti_35k: both ratios at least 3; "
-                "Euclidean_front\nbelow 0.3 if possible.\n");
-    on_scan.print(names.front().c_str());
+    std::printf("No models: there is no folder %s.\n", GEODESIC_PROCESSING_DATA);
+    return std::nullopt;
   }
+  std::printf("Models, compared with CGAL's exact algorithm. Refinement splits each face into "
+              "four\nand does not change the surface.\n");
+  table.print();
+  std::printf("Targets for bunny_37k, armadillo_26k and nefertiti_35k: both ratios at least 3, "
+              "Euclidean_front\nbelow 0.3 if possible.\n");
+  result.print(names.front().c_str());
+  return result;
+}
+
+} // namespace
+
+// accuracy [--quick] [PLOT.svg]
+int main(int argc, char* argv[])
+{
+  bool quick = false;
+  std::string plot;
+  for(int i = 1; i < argc; ++i)
+    if(std::strcmp(argv[i], "--quick") == 0)
+      quick = true;
+    else
+      plot = argv[i];
+
+  std::printf(
+      "Accuracy: mean / maximum relative error in percent, from one source vertex. Vertices\n"
+      "closer than 5 %% of the maximum distance are excluded.\n\n");
+  const Convergence on_sphere = print_spheres(quick);
+  print_squares(quick);
+  const std::optional<Convergence> on_scan = print_models(quick);
 
   if(!plot.empty())
   {
-    std::vector<Panel> panels = {on_sphere.panel("Unit sphere, against great circles")};
-    if(found > 0)
-      panels.push_back(on_scan.panel("Scan, cut once and twice, against exact distances"));
+    std::vector<Panel> panels = {on_sphere.panel("Unit sphere, compared with great circles")};
+    if(on_scan)
+      panels.push_back(on_scan->panel("Scan and two refinements, compared with exact distances"));
     if(!write_error_plot(plot, panels))
     {
       std::fprintf(stderr, "accuracy: cannot write %s\n", plot.c_str());
       return EXIT_FAILURE;
     }
-    std::printf("The plot of convergence is in %s\n", plot.c_str());
+    std::printf("The convergence plot is in %s\n", plot.c_str());
   }
 }

@@ -144,7 +144,7 @@ std::vector<bool> repaired_regions(const Base_map& unrepaired_map, const Base_ma
   return result;
 }
 
-// Returns the largest difference between the barycentric coordinates on both sides of a base edge.
+// Returns the largest difference of barycentric coordinates across a base edge.
 double largest_jump(const Base_map& map)
 {
   const Base_mesh& base = map.base();
@@ -188,12 +188,13 @@ std::string format_scientific(double value)
 void print_maps(bool is_quick)
 {
   std::printf(
-      "Coordinates of Heron's areas (H) and mean values (M): triangles that fold before "
-      "repair, base faces repaired,\njumps of shares across base edges, whether the base has the "
-      "characteristic and the borders of the model; angles, areas and\nsymmetric Dirichlet "
-      "energy as means over the base faces that are not repaired; seconds\n\n");
-  Table table({"model", "base", "folds H", "repaired", "folds", "round trip", "jump", "topology",
-               "Ec H", "Ea H", "SD H", "Ec M", "Ea M", "SD M", "s base", "s map"});
+      "Barycentric coordinates on base faces, from geodesic distances by Heron's formula (H)\n"
+      "and from mean values (M). folds H: inverted triangles before repair; folds: after repair,\n"
+      "H and M; jump: maximum difference of coordinates across base edges; topology: Euler\n"
+      "characteristic and boundary cycles; Ec, Ea, SD: angle distortion, area distortion and\n"
+      "symmetric Dirichlet energy, means over the base faces that are not repaired.\n\n");
+  Table table({"model", "base", "folds H", "repaired faces", "folds", "round trip", "jump",
+               "topology", "Ec H", "Ea H", "SD H", "Ec M", "Ea M", "SD M", "base [s]", "map [s]"});
   for(const std::string& name : model_names)
   {
     const auto mesh = load_model(name);
@@ -222,7 +223,7 @@ void print_maps(bool is_quick)
                  std::to_string(map->number_of_flips() + other.number_of_flips()),
                  format_scientific(round_trip(*map, *domain.triangles())),
                  format_scientific(std::max(largest_jump(*map), largest_jump(other))),
-                 has_same_topology(*base, *domain.triangles()) ? "same" : "other",
+                 has_same_topology(*base, *domain.triangles()) ? "same" : "different",
                  format_significant(h.angles), format_significant(h.areas),
                  benchmarks::format_fixed(h.dirichlet, 2), format_significant(m.angles),
                  format_significant(m.areas), benchmarks::format_fixed(m.dirichlet, 2),
@@ -231,15 +232,16 @@ void print_maps(bool is_quick)
     }
   }
   table.print();
-  std::printf("Wanted: no folds; round trips below 1e-6; no jumps; the same topology.\n\n");
+  std::printf("Targets: no folds, round trips below 1e-6, no jumps, the same topology.\n\n");
 }
 
 void print_semi_regular_meshes(bool is_quick)
 {
   std::printf(
-      "Semi-regular meshes of 500 base vertices at level 4: distance of face centres to the "
-      "input as a part of the\ndiagonal, and angles\n\n");
-  Table table({"model", "faces", "mean distance", "largest", "angles in 20..120", "seconds"});
+      "Semi-regular meshes with 500 base vertices and 4 levels: distance of face centers to "
+      "the input,\nrelative to the bounding box diagonal, and angles in degrees\n\n");
+  Table table(
+      {"model", "faces", "mean distance", "maximum distance", "angles in 20..120", "time [s]"});
   for(const std::string& name : model_names)
   {
     const auto mesh = load_model(name);
@@ -292,7 +294,7 @@ void print_semi_regular_meshes(bool is_quick)
     }
   }
   table.print();
-  std::printf("Wanted: 0.05 %% in the mean, 95 %% of the angles, and 5 s at 35,000 vertices.\n");
+  std::printf("Targets: mean distance 0.05 %%, 95 %% of the angles, 5 s at 35,000 vertices.\n");
 }
 
 } // namespace

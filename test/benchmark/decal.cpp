@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measures the time to place an image on a large mesh.
+// Measures the time of decal placement and baking on large meshes.
 #include <CGAL/Geodesic_processing.h>
 
 #include "models.h"
@@ -88,8 +88,8 @@ void add_rows(Table& table, const std::string& name, const Mesh& mesh)
 int main(int argc, char** argv)
 {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  Table table({"mesh", "vertices", "method", "faces", "place [ms]", "slowest [ms]",
-               "for 2,000 faces [ms]", "new placer [ms]", "its first place [ms]", "bake [ms]"});
+  Table table({"mesh", "vertices", "method", "faces", "placement [ms]", "maximum [ms]",
+               "per 2,000 faces [ms]", "new placer [ms]", "first placement [ms]", "bake [ms]"});
   add_rows(table, "icosphere 5", icosphere(5));
   if(const auto mesh = load_model("bunny_37k"))
     add_rows(table, "bunny_37k", *mesh);
@@ -99,8 +99,9 @@ int main(int argc, char** argv)
     if(const auto mesh = load_model("mni152_grey_matter_533k"))
       add_rows(table, "mni152_grey_matter_533k", *mesh);
   }
-  std::printf("Images of %zu faces at random vertices of a prepared domain, one thread, medians\n",
+  std::printf("Placement of images that cover about %zu faces, at random vertices of an existing "
+              "domain.\nMedian processor times of one thread.\n",
               target_faces);
   table.print();
-  std::printf("Bars, on mni152: a place at most 10 ms, the first one of a placer at most 30 ms.\n");
+  std::printf("Targets on mni152: at most 10 ms per placement, 30 ms for the first of a placer.\n");
 }

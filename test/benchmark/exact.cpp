@@ -121,14 +121,16 @@ public:
   }
   void print() const
   {
-    std::printf("One source to all vertices, set-up included: seconds, megabytes at most\n");
+    std::printf(
+        "Distances from one source to all vertices, including set-up: time and peak memory\n");
     m_table.print();
-    std::printf("Bar: CGAL/Exact at least 30 at 35,000 to 400,000 vertices.\n\n");
+    std::printf("Target: CGAL/Exact at least 30 at 35,000 to 400,000 vertices.\n\n");
   }
 
 private:
   Table m_table{{"mesh", "vertices", "Euclidean [s]", "Exact [s]", "CGAL exact [s]",
-                 "Exact/Euclidean", "CGAL/Exact", "Exact [MB]", "CGAL [MB]", "largest difference"}};
+                 "Exact/Euclidean", "CGAL/Exact", "Exact [MB]", "CGAL [MB]",
+                 "maximum relative difference"}};
 };
 
 // Measures the speed-up of a distance matrix with two threads.
@@ -191,7 +193,7 @@ class Error_time_trade_off
 public:
   Error_time_trade_off(const std::string& name, Mesh& mesh)
       : m_panel{name + ", " + std::to_string(num_vertices(mesh)) + " vertices",
-                "seconds for a source: prepared, and with its set-up",
+                "seconds per source, without and with set-up",
                 {}},
         m_mesh(mesh)
   {
@@ -243,10 +245,10 @@ private:
       for(std::size_t s = 0; s < m_sources.size(); ++s)
       {
         times.push_back(cpu_seconds([&] { compute(m_sources[s]); }));
-        const double nearest =
+        const double min_distance =
             0.05 * *std::max_element(m_reference[s].begin(), m_reference[s].end());
         for(const Vertex v : m_mesh.vertices())
-          if(const double reference = m_reference[s][std::size_t(v)]; reference >= nearest)
+          if(const double reference = m_reference[s][std::size_t(v)]; reference >= min_distance)
           {
             sum += std::fabs(distance(v) / reference - 1.);
             ++count;
@@ -273,6 +275,87 @@ private:
   Table m_table{{"method", "set-up [s]", "query [s]", "mean error %"}};
 };
 
+std::vector<Named_mesh> single_source_meshes(bool quick)
+{
+  if(quick)
+    return {
+        {"icosphere 4", [] { return icosphere(4); }, Cgal_comparison::always},
+        {"elephant_2k8", [] { return load_model("elephant_2k8"); }, Cgal_comparison::always},
+    };
+  return {
+      {"bunny_37k", [] { return load_model("bunny_37k"); }, Cgal_comparison::always},
+      {"nefertiti_35k", [] { return load_model("nefertiti_35k"); }, Cgal_comparison::always},
+      {"icosphere 6", [] { return icosphere(6); }, Cgal_comparison::if_patient},
+      {"square 201^2", [] { return jittered_square(201); }, Cgal_comparison::if_patient},
+      {"flattened sphere 6", [] { return flattened_sphere(6); }, Cgal_comparison::if_patient},
+      {"bunny_37k, refined once", [] { return subdivided_model("bunny_37k", 1); },
+       Cgal_comparison::if_patient},
+      {"icosphere 7", [] { return icosphere(7); }, Cgal_comparison::never},
+      {"flattened sphere 7", [] { return flattened_sphere(7); }, Cgal_comparison::never},
+      {"square 631^2", [] { return jittered_square(631); }, Cgal_comparison::never},
+  };
+}
+
+void print_single_source(bool quick, bool patient)
+{
+  Single_source_table table;
+  for(const Named_mesh& named : single_source_meshes(quick))
+    if(const auto mesh = named.make())
+      table.add(named.name, *mesh,
+                named.cgal == Cgal_comparison::always ||
+                    (patient && named.cgal == Cgal_comparison::if_patient));
+  table.print();
+}
+
+void print_speed_ups(const Mesh& mesh)
+{
+  std::printf(
+      "Distance matrices with one and two threads: wall-clock times, valid on an idle machine\n");
+  Table table({"distances", "sources", "targets", "1 thread [s]", "2 threads [s]", "speed-up"});
+  add_parallel<GP::Exact>(table, "Exact, all pairs", mesh, 24, false);
+  add_parallel<GP::Exact>(table, "Exact, all vertices", mesh, 8, true);
+  add_parallel<GP::Euclidean_front>(table, "Euclidean_front, all pairs", mesh, 100, false);
+  add_parallel<GP::Euclidean_front>(table, "Euclidean_front, all vertices", mesh, 32, true);
+  table.print();
+  std::printf("Target: speed-up of at least 1.7 on two processors.\n\n");
+}
+
+// Measures bounded queries on `mesh` and on two refinements of it.
+void print_bounded_queries(const Mesh& mesh)
+{
+  std::printf(
+      "Queries with a maximum distance of 18 mean edge lengths from random vertices, on a mesh "
+      "and two refinements\n");
+  Table table({"mesh", "vertices", "reached vertices", "Euclidean [ms]", "Exact [ms]",
+               "Exact, maximum [ms]"});
+  Mesh finer = mesh;
+  for(const std::string name : {"input", "refined once", "refined twice"})
+  {
+    add_bounded(table, name, finer);
+    if(name != "refined twice")
+      finer = refined(finer);
+  }
+  table.print();
+  std::printf("Target: equal times on all meshes if equally many vertices are reached.\n\n");
+}
+
+// Prints errors over times on `mesh` and on a sphere. Returns one panel of the plot for each.
+std::vector<Panel> print_trade_offs(Mesh& mesh, const std::string& name, unsigned sphere_level)
+{
+  std::vector<Panel> panels;
+  const auto compare = [&panels](const std::string& title, Mesh& surface)
+  {
+    const Error_time_trade_off trade_off(title, surface);
+    trade_off.print();
+    panels.push_back(trade_off.panel());
+  };
+  std::printf("Errors relative to CGAL's exact distances, and processor times\n");
+  Mesh sphere = icosphere(sphere_level);
+  compare(name, mesh);
+  compare("Sphere", sphere);
+  return panels;
+}
+
 } // namespace
 
 // exact [--quick] [--patient] [PLOT.svg]
@@ -288,74 +371,16 @@ int main(int argc, char* argv[])
     else
       plot = argv[i];
 
-  std::printf("Exact distances: processor time, medians, of three sources.\n\n");
-  std::vector<Named_mesh> meshes = {
-      {"icosphere 4", [] { return icosphere(4); }, Cgal_comparison::always},
-      {"elephant_2k8", [] { return load_model("elephant_2k8"); }, Cgal_comparison::always},
-  };
-  if(!quick)
-    meshes = {
-        {"bunny_37k", [] { return load_model("bunny_37k"); }, Cgal_comparison::always},
-        {"nefertiti_35k", [] { return load_model("nefertiti_35k"); }, Cgal_comparison::always},
-        {"icosphere 6", [] { return icosphere(6); }, Cgal_comparison::if_patient},
-        {"square 201^2", [] { return jittered_square(201); }, Cgal_comparison::if_patient},
-        {"pressed sphere 6", [] { return flattened_sphere(6); }, Cgal_comparison::if_patient},
-        {"bunny_37k once", [] { return subdivided_model("bunny_37k", 1); },
-         Cgal_comparison::if_patient},
-        {"icosphere 7", [] { return icosphere(7); }, Cgal_comparison::never},
-        {"pressed sphere 7", [] { return flattened_sphere(7); }, Cgal_comparison::never},
-        {"square 631^2", [] { return jittered_square(631); }, Cgal_comparison::never},
-    };
-  Single_source_table single_source;
-  for(const Named_mesh& named : meshes)
-    if(const auto mesh = named.make())
-      single_source.add(named.name, *mesh,
-                        named.cgal == Cgal_comparison::always ||
-                            (patient && named.cgal == Cgal_comparison::if_patient));
-  single_source.print();
+  std::printf("Exact distances: median processor times over three sources\n\n");
+  print_single_source(quick, patient);
 
   // Uses a sphere if the model is missing.
-  const auto model_or_sphere = [&]
-  {
-    auto mesh = load_model(quick ? "elephant_2k8" : "bunny_37k");
-    return mesh ? *mesh : icosphere(quick ? 4 : 6);
-  };
-  Mesh mesh = model_or_sphere();
-
-  std::printf("Several sources by two threads: seconds on a watch, which wants an idle machine\n");
-  Table parallel({"Distances", "sources", "targets", "one thread [s]", "two [s]", "speed-up"});
-  add_parallel<GP::Exact>(parallel, "Exact, all pairs", mesh, 24, false);
-  add_parallel<GP::Exact>(parallel, "Exact, to all", mesh, 8, true);
-  add_parallel<GP::Euclidean_front>(parallel, "Euclidean_front, all pairs", mesh, 100, false);
-  add_parallel<GP::Euclidean_front>(parallel, "Euclidean_front, to all", mesh, 32, true);
-  parallel.print();
-  std::printf("Bar: at least 1.7 on two processors.\n\n");
-
-  std::printf(
-      "What is nearer than 18 edges, from random vertices; the surface cut finer and finer\n");
-  Table bounded(
-      {"Bounded query", "vertices", "reached", "Euclidean [ms]", "Exact [ms]", "slowest [ms]"});
-  Mesh finer = mesh;
-  for(const std::string times : {"uncut", "cut once", "cut twice"})
-  {
-    add_bounded(bounded, times, finer);
-    if(times != "cut twice")
-      finer = refined(finer);
-  }
-  bounded.print();
-  std::printf("Bar: as long on a large mesh as on a small one, when as many are reached.\n\n");
-
-  std::vector<Panel> panels;
-  const auto compare = [&panels](const std::string& name, Mesh& surface)
-  {
-    const Error_time_trade_off trade_off(name, surface);
-    trade_off.print();
-    panels.push_back(trade_off.panel());
-  };
-  std::printf("Errors over times, relative to CGAL's exact distances\n");
-  Mesh sphere = icosphere(quick ? 4 : 5);
-  compare(load_model(quick ? "elephant_2k8" : "bunny_37k") ? "Scan" : "Sphere", mesh);
-  compare("Sphere", sphere);
+  const auto model = load_model(quick ? "elephant_2k8" : "bunny_37k");
+  Mesh mesh = model ? *model : icosphere(quick ? 4 : 6);
+  print_speed_ups(mesh);
+  print_bounded_queries(mesh);
+  const std::vector<Panel> panels =
+      print_trade_offs(mesh, model ? "Scan" : "Sphere", quick ? 4 : 5);
   if(!plot.empty())
   {
     if(!write_error_plot(plot, panels))
@@ -363,6 +388,6 @@ int main(int argc, char* argv[])
       std::fprintf(stderr, "exact: cannot write %s\n", plot.c_str());
       return EXIT_FAILURE;
     }
-    std::printf("The plot of errors over times is in %s\n", plot.c_str());
+    std::printf("The plot of errors over time is in %s\n", plot.c_str());
   }
 }

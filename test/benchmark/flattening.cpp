@@ -72,17 +72,121 @@ void add_row(Table& table, const std::string& name, const std::string& method,
              std::to_string(d.number_of_flips)});
 }
 
+// Numbers of patches on which the maps meet the bars.
+struct Distortion_counts
+{
+  std::size_t patches = 0, low_curvature = 0, without_flips = 0, compared = 0,
+              with_smallest_sum = 0, between = 0, below_larger = 0, injective = 0, near_arap = 0,
+              with_arap = 0, settled = 0, settled_injective = 0;
+
+  void add_glle(const GP::Flattening_distortion& glle, double curvature)
+  {
+    ++patches;
+    low_curvature += curvature <= 1.;
+    without_flips += curvature <= 1. && glle.number_of_flips == 0;
+  }
+
+  void add_comparison(const GP::Flattening_distortion& glle, const GP::Flattening_distortion& lscm,
+                      const GP::Flattening_distortion& authalic)
+  {
+    const auto sum = [](const GP::Flattening_distortion& d) { return d.conformal + d.authalic; };
+    const auto is_between = [](double x, double a, double b)
+    { return std::min(a, b) <= x && x <= std::max(a, b); };
+    ++compared;
+    with_smallest_sum +=
+        sum(glle) <= 1.001 * std::min(sum(lscm), sum(authalic)) || sum(glle) <= 1e-6;
+    between += is_between(glle.conformal, lscm.conformal, authalic.conformal) &&
+               is_between(glle.authalic, lscm.authalic, authalic.authalic);
+    below_larger += glle.conformal <= std::max(lscm.conformal, authalic.conformal) &&
+                    glle.authalic <= std::max(lscm.authalic, authalic.authalic);
+  }
+
+  void add_arap(const GP::Flattening_distortion& flat, const GP::Flattening_distortion& arap)
+  {
+    with_arap += arap.number_of_flips == 0;
+    near_arap +=
+        arap.number_of_flips == 0 && flat.symmetric_dirichlet <= 1.05 * arap.symmetric_dirichlet;
+  }
+
+  void print() const
+  {
+    std::printf(
+        "%zu patches, targets in parentheses. glle has no flips on %zu of %zu patches with a "
+        "curvature of at most 2 pi (all).\nPatches with maps by both lscm and authalic: Ec + Ea of "
+        "glle is at most 1.001 times that of each, or below 1e-6,\non %zu of %zu (10 of 13); "
+        "Ec and Ea are between both on %zu, and at most the larger one on %zu.\n"
+        "injective has no flips on %zu patches (all). Its symmetric Dirichlet energy is at most "
+        "1.05 times that of arap\non %zu of %zu patches on which arap has no flips (all).\n\n",
+        patches, without_flips, low_curvature, with_smallest_sum, compared, between, below_larger,
+        injective, near_arap, with_arap);
+  }
+};
+
+// Adds a row for each map of a patch.
+void add_patch_rows(Table& table, Distortion_counts& counts, const std::string& name, Mesh& mesh)
+{
+  const auto add_measurement = [&](const std::string& method, const UV_map& uv)
+  {
+    const auto found = GP::flattening_distortion(mesh, uv);
+    add_row(table, method == "glle" ? name : "", method, found);
+    return found;
+  };
+  const UV_map uv = new_map(mesh), other_uv = new_map(mesh);
+  GP::geodesic_lle(mesh, uv);
+  const double patch_curvature = total_curvature(mesh);
+  table.add({name + ": curvature " + format_significant(patch_curvature) + " * 2 pi", "", "", "",
+             "", "", "", "", ""});
+  const auto glle = add_measurement("glle", uv);
+  counts.add_glle(glle, patch_curvature);
+  GP::geodesic_mds(mesh, other_uv);
+  add_measurement("mds", other_uv);
+  std::map<std::string, GP::Flattening_distortion> cgal_maps;
+  if(parameterize(mesh, other_uv, SMP::LSCM_parameterizer_3<Mesh>()))
+    cgal_maps["lscm"] = add_measurement("CGAL lscm", other_uv);
+  if(parameterize(mesh, other_uv, SMP::Discrete_authalic_parameterizer_3<Mesh>()))
+    cgal_maps["authalic"] = add_measurement("CGAL authalic", other_uv);
+  if(cgal_maps.size() == 2)
+    counts.add_comparison(glle, cgal_maps["lscm"], cgal_maps["authalic"]);
+  GP::minimize_distortion(mesh, uv);
+  const auto flat = add_measurement("injective", uv);
+  counts.injective += flat.number_of_flips == 0;
+  if(num_vertices(mesh) < 50000 && parameterize(mesh, other_uv, SMP::ARAP_parameterizer_3<Mesh>()))
+    counts.add_arap(flat, add_measurement("CGAL arap", other_uv));
+}
+
+// Adds a row with the symmetric Dirichlet energy of a patch for several numbers of base points.
+void add_base_point_row(Table& table, Distortion_counts& counts, const std::string& name,
+                        Mesh& mesh)
+{
+  const UV_map uv = new_map(mesh);
+  std::vector<std::string> row = {name};
+  std::vector<double> energies;
+  for(const std::size_t base : {5, 10, 20, 100})
+  {
+    GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(base));
+    energies.push_back(GP::flattening_distortion(mesh, uv).symmetric_dirichlet);
+    row.push_back(format_significant(energies.back()));
+  }
+  counts.settled += energies[2] <= 1.2 * energies[3];
+  for(const std::size_t base : {20, 100})
+  {
+    GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(base));
+    GP::minimize_distortion(mesh, uv);
+    energies.push_back(GP::flattening_distortion(mesh, uv).symmetric_dirichlet);
+    row.push_back(format_fixed(energies.back(), 4));
+  }
+  counts.settled_injective += energies[4] <= 1.2 * energies[5];
+  table.add(row);
+}
+
 void print_distortion(bool is_quick)
 {
-  std::printf("Distortion: conformal and authalic, their sum, symmetric Dirichlet, "
-              "stretch\n\n");
+  std::printf("Distortion: conformal energy Ec, authalic energy Ea, symmetric Dirichlet energy, "
+              "L2 and Linf stretch\n\n");
   Table table({"patch", "method", "Ec", "Ea", "Ec + Ea", "Dirichlet", "L2", "Linf", "flips"});
-  Table base_point_table(
-      {"patch: Dirichlet", "5", "10", "20", "100 base points", "20, injective", "100, injective"});
-  std::size_t patches = 0, number_of_low_curvature = 0, number_without_flips = 0,
-              number_compared = 0, number_with_smallest_sum = 0, number_between = 0,
-              number_below_larger = 0, number_injective = 0, number_near_arap = 0,
-              number_with_arap = 0, number_settled = 0, number_settled_injective = 0;
+  Table base_point_table({"patch: Dirichlet energy", "5 base points", "10", "20", "100",
+                          "20, injective", "100, injective"});
+  Distortion_counts counts;
   for(const std::string name :
       {"alligator_3k", "bff_face_17k", "bff_maze_6k", "camelhead_11k",
        "cylinder_locally_refined_8k", "disk_5k", "hemisphere_2k", "mannequin_devil_13k",
@@ -91,96 +195,25 @@ void print_distortion(bool is_quick)
     auto mesh = load_model(name);
     if(!mesh || (is_quick && num_vertices(*mesh) > 4000))
       continue;
-    ++patches;
-    const auto add_measurement = [&](const std::string& method, const UV_map& uv)
-    {
-      const auto found = GP::flattening_distortion(*mesh, uv);
-      add_row(table, method == "glle" ? name : "", method, found);
-      return found;
-    };
-    const UV_map uv = new_map(*mesh), other_uv = new_map(*mesh);
-    GP::geodesic_lle(*mesh, uv);
-    const double patch_curvature = total_curvature(*mesh);
-    table.add({name + ": curvature " + format_significant(patch_curvature) + " * 2 pi", "", "", "",
-               "", "", "", "", ""});
-    const auto glle = add_measurement("glle", uv);
-    number_of_low_curvature += patch_curvature <= 1.;
-    number_without_flips += patch_curvature <= 1. && glle.number_of_flips == 0;
-    GP::geodesic_mds(*mesh, other_uv);
-    add_measurement("mds", other_uv);
-    std::map<std::string, GP::Flattening_distortion> cgal_maps;
-    if(parameterize(*mesh, other_uv, SMP::LSCM_parameterizer_3<Mesh>()))
-      cgal_maps["lscm"] = add_measurement("CGAL lscm", other_uv);
-    if(parameterize(*mesh, other_uv, SMP::Discrete_authalic_parameterizer_3<Mesh>()))
-      cgal_maps["authalic"] = add_measurement("CGAL authalic", other_uv);
-    GP::minimize_distortion(*mesh, uv);
-    const auto flat = add_measurement("injective", uv);
-    number_injective += flat.number_of_flips == 0;
-    if(num_vertices(*mesh) < 50000 &&
-       parameterize(*mesh, other_uv, SMP::ARAP_parameterizer_3<Mesh>()))
-    {
-      const auto arap = add_measurement("CGAL arap", other_uv);
-      number_with_arap += arap.number_of_flips == 0;
-      number_near_arap +=
-          arap.number_of_flips == 0 && flat.symmetric_dirichlet <= 1.05 * arap.symmetric_dirichlet;
-    }
-    const auto sum = [](const GP::Flattening_distortion& d) { return d.conformal + d.authalic; };
-    const auto is_between = [](double x, double a, double b)
-    { return std::min(a, b) <= x && x <= std::max(a, b); };
-    if(cgal_maps.size() == 2)
-    {
-      const auto &lscm = cgal_maps["lscm"], &authalic = cgal_maps["authalic"];
-      ++number_compared;
-      number_with_smallest_sum +=
-          sum(glle) <= 1.001 * std::min(sum(lscm), sum(authalic)) || sum(glle) <= 1e-6;
-      number_between += is_between(glle.conformal, lscm.conformal, authalic.conformal) &&
-                        is_between(glle.authalic, lscm.authalic, authalic.authalic);
-      number_below_larger += glle.conformal <= std::max(lscm.conformal, authalic.conformal) &&
-                             glle.authalic <= std::max(lscm.authalic, authalic.authalic);
-    }
-    std::vector<std::string> row = {name};
-    std::vector<double> energies;
-    for(const std::size_t base : {5, 10, 20, 100})
-    {
-      GP::geodesic_lle(*mesh, other_uv, GP::parameters::number_of_base_points(base));
-      energies.push_back(GP::flattening_distortion(*mesh, other_uv).symmetric_dirichlet);
-      row.push_back(format_significant(energies.back()));
-    }
-    number_settled += energies[2] <= 1.2 * energies[3];
-    for(const std::size_t base : {20, 100})
-    {
-      GP::geodesic_lle(*mesh, other_uv, GP::parameters::number_of_base_points(base));
-      GP::minimize_distortion(*mesh, other_uv);
-      energies.push_back(GP::flattening_distortion(*mesh, other_uv).symmetric_dirichlet);
-      row.push_back(format_fixed(energies.back(), 4));
-    }
-    number_settled_injective += energies[4] <= 1.2 * energies[5];
-    base_point_table.add(row);
+    add_patch_rows(table, counts, name, *mesh);
+    add_base_point_row(base_point_table, counts, name, *mesh);
   }
   table.print();
-  std::printf(
-      "Of %zu patches: glle without flips on %zu of %zu whose curvature is 2 pi at most (all); "
-      "Ec + Ea of glle at most 1.001 times\nthat of lscm and of authalic, or below 1e-6, on %zu "
-      "(wanted: 10 of 13) of %zu where both have a map, and both between\nthose of the two on %zu, "
-      "and neither above the larger one on %zu; "
-      "injective without flips on %zu (all), with at most 1.05 times the symmetric Dirichlet "
-      "energy\nof arap on %zu of %zu where that has no flips (all).\n\n",
-      patches, number_without_flips, number_of_low_curvature, number_with_smallest_sum,
-      number_compared, number_between, number_below_larger, number_injective, number_near_arap,
-      number_with_arap);
+  counts.print();
   base_point_table.print();
   std::printf(
-      "With 20 at most 1.2 times what it is with 100 on %zu, of injective maps on %zu (all).\n\n",
-      number_settled, number_settled_injective);
+      "The energy with 20 base points is at most 1.2 times that with 100 on %zu patches; for "
+      "injective maps on %zu\n(target: all).\n\n",
+      counts.settled, counts.settled_injective);
 }
 
 // Measures times. If is_patient is set, CGAL's as-rigid-as-possible map is also run on large
 // patches, which takes many minutes.
 void print_times(bool is_quick, bool is_patient)
 {
-  std::printf("Seconds, from the mesh to the map\n\n");
-  Table table({"patch", "vertices", "glle", "over n log n [ns]", "mds", "injective", "CGAL lscm",
-               "over glle", "CGAL arap", "over glle"});
+  std::printf("Processor times in seconds, including set-up\n\n");
+  Table table({"patch", "vertices", "glle", "glle / n log n [ns]", "mds", "injective", "CGAL lscm",
+               "lscm / glle", "CGAL arap", "arap / glle"});
   std::vector<std::pair<std::string, Mesh>> meshes = {{"square", jittered_square(32)}};
   if(auto mesh = load_model("camelhead_11k"))
     meshes.emplace_back("camelhead_11k", *mesh);
@@ -190,7 +223,7 @@ void print_times(bool is_quick, bool is_patient)
     if(auto mesh = load_model("terrain_st_helens_149k"))
     {
       meshes.emplace_back("terrain_st_helens_149k", *mesh);
-      meshes.emplace_back("  cut once", refined(*mesh));
+      meshes.emplace_back("  refined once", refined(*mesh));
     }
   }
   for(auto& [name, mesh] : meshes)
@@ -214,8 +247,8 @@ void print_times(bool is_quick, bool is_patient)
   }
   table.print();
   std::printf(
-      "Wanted of glle at 10,000, 100,000 and 600,000 vertices: 0.3, 1.5 and 11 s, a tenth of the "
-      "others at 600,000.\n\n");
+      "Targets for glle: 0.3, 1.5 and 11 s at 10,000, 100,000 and 600,000 vertices; a tenth of "
+      "CGAL's times at 600,000.\n\n");
 }
 
 // Returns the number of texels whose center is inside two or more faces.
@@ -245,9 +278,9 @@ std::size_t count_overlapping_texels(const Mesh& mesh, const std::vector<UV>& uv
 
 void print_atlases(bool is_quick)
 {
-  std::printf("Texture atlases of 2,048 texels, on two threads\n\n");
-  Table table({"model", "vertices", "asked for", "charts", "flips", "overlaps",
-               "texels taken twice", "coverage", "watch [s]", "processor [s]"});
+  std::printf("Texture atlases with 2,048 x 2,048 texels, two threads\n\n");
+  Table table({"model", "vertices", "requested charts", "charts", "flips", "overlaps",
+               "overlapping texels", "coverage", "wall-clock [s]", "processor [s]"});
   const auto add = [&](const std::string& name, const Mesh& mesh, std::size_t number)
   {
     std::vector<UV> uv(mesh.number_of_halfedges());
@@ -276,7 +309,7 @@ void print_atlases(bool is_quick)
   {
     add("bunny_37k", *mesh, 50);
     if(!is_quick)
-      add("  cut twice", refined(refined(*mesh)), 100);
+      add("  refined twice", refined(refined(*mesh)), 100);
   }
   if(auto mesh = load_model("armadillo_26k"))
     add("armadillo_26k", *mesh, 50);
@@ -284,7 +317,7 @@ void print_atlases(bool is_quick)
     if(auto mesh = load_model("mni152_grey_matter_533k"))
       add("mni152_grey_matter_533k", *mesh, 200);
   table.print();
-  std::printf("Wanted: 30 s for half a million vertices, no flips and no overlaps.\n\n");
+  std::printf("Targets: 30 s for half a million vertices, no flips, no overlaps.\n\n");
 }
 
 } // namespace

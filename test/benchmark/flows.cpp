@@ -48,7 +48,7 @@ Mass_distribution point_mass(const Array_surface& surface, Index i)
   return result;
 }
 
-std::string name_of(bool are_points) { return are_points ? "points" : "blobs"; }
+std::string name_of(bool are_points) { return are_points ? "points" : "Gaussians"; }
 
 double potential(const Transport_result& found, const Surface_arrays& t,
                  const Surface_location& location)
@@ -149,7 +149,7 @@ void measure_model(const std::string& name, const Mesh& mesh, std::size_t lines,
     Transport_options options;
     options.do_normalize = true;
     const Transport_result found = solver.solve(point_mass(surface, from), ball, options);
-    row.push_back(format_fixed(100. * (found.value / exact - 1.), 2) + " in " +
+    row.push_back(format_fixed(100. * (found.value / exact - 1.), 2) + ", " +
                   format_fixed(100. * (radius + (found.upper - found.lower) / exact), 1));
   }
   balls.add(row);
@@ -186,10 +186,10 @@ void measure_cloud(std::size_t n, std::size_t lines, Table& table)
 int main(int argc, char* argv[])
 {
   const bool quick = argc > 1 && std::string(argv[1]) == "--quick";
-  Table table({"model", "sites", "masses", "do not arrive", "longer as traced % (mean / largest)",
-               "pulled taut %", "by more than 1 %", "assignment above value %", "to trace s",
-               "to pull s"}),
-      balls({"model", "radius 0.4 d: off d by %, of at most", "0.2 d", "0.1 d", "0.05 d"});
+  Table table({"model", "vertices", "masses", "incomplete", "excess length % (mean / max)",
+               "shortened %", "more than 1 %", "assignment excess %", "tracing [s]",
+               "shortening [s]"}),
+      balls({"model", "radius 0.4 d: error %, bound %", "0.2 d", "0.1 d", "0.05 d"});
   std::vector<std::string> names = {"fandisk_6k5", "kitten_9k"};
   if(!quick)
     names.insert(names.end(), {"camel_10k", "nefertiti_35k", "bunny_37k"});
@@ -199,8 +199,7 @@ int main(int argc, char* argv[])
       measure_model(name, *mesh, lines, table, balls);
   measure_cloud(5000, lines, table);
   table.print();
-  std::printf(
-      "To reach: lines no more than 1 %% longer than the shortest way between their ends; an "
-      "assignment within 2 %%.\n\n");
+  std::printf("Targets: shortened lines at most 1 %% longer than the shortest path between their "
+              "endpoints; excess\nof the assignment at most 2 %%.\n\n");
   balls.print();
 }

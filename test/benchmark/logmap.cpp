@@ -135,8 +135,8 @@ void add_methods(Error_table& table)
 void compare_on_spheres(bool quick)
 {
   std::printf(
-      "Unit sphere: mean error of tangent vectors relative to the distance, in percent, of all "
-      "vertices\nnearer than half of pi\n");
+      "Unit sphere: mean error of tangent vectors relative to the distance, in percent, over the "
+      "vertices\nwithin a distance of pi / 2\n");
   std::vector<Mesh> regular, irregular;
   for(const unsigned level : quick ? std::vector<unsigned>{4, 5} : std::vector<unsigned>{5, 6, 7})
   {
@@ -146,15 +146,15 @@ void compare_on_spheres(bool quick)
   Error_table on_regular(std::move(regular)), on_irregular(std::move(irregular));
   add_methods(on_regular);
   on_regular.print("icosphere");
-  std::printf(
-      "Bars for Gradient<Euclidean_front>: 0.2 at 10242 and 0.06 at 163842 vertices; order 1.\n\n");
+  std::printf("Targets for Gradient<Euclidean_front>: 0.2 at 10242 and 0.06 at 163842 vertices; "
+              "order 1.\n\n");
   add_methods(on_irregular);
   on_irregular.print("random points");
 }
 
 void compare_on_clouds(std::size_t n)
 {
-  Table table({"cloud of a sphere", "surfels", "Gradient<Euclidean_front>"});
+  Table table({"mean error % on a spherical cloud", "surfels", "Gradient<Euclidean_front>"});
   test::Cloud random_cloud, spiral;
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
@@ -184,7 +184,7 @@ void compare_on_clouds(std::size_t n)
   add("spiral", spiral);
   add("octahedron", test::octahedron_sphere(5));
   table.print();
-  std::printf("Bar: 2.\n\n");
+  std::printf("Target: at most 2 %%.\n\n");
 }
 
 // ------------------------------------------------------------------------------------------ others
@@ -206,7 +206,7 @@ double largest_error(const Map& map, Truth truth)
 
 void compare_on_developables(std::size_t n)
 {
-  Table table({"largest error", "Gradient<Euclidean_front>", "Exact"});
+  Table table({"maximum relative error", "Gradient<Euclidean_front>", "Exact"});
   const auto add =
       [&](const std::string& name, const Mesh& mesh, Vertex base, auto limits, auto truth)
   {
@@ -248,7 +248,7 @@ void compare_on_developables(std::size_t n)
         };
       });
   table.print();
-  std::printf("Bar: 1e-6.\n\n");
+  std::printf("Target: 1e-6.\n\n");
 }
 
 double diagonal(const Mesh& mesh)
@@ -342,8 +342,8 @@ void compare_on_models(const std::vector<std::string>& names)
     return;
   }
   std::printf(
-      "Models: angles against Exact in degrees, median / 90 %%, around eight vertices up to 0.15 "
-      "of the\nbounding box's diagonal and to where the map is cut\n");
+      "Models: angles between the map and Exact in degrees, median / 90th percentile. Around eight "
+      "vertices,\nup to 0.15 times the bounding box diagonal and the first cut of the map.\n");
   table.print();
 }
 
@@ -404,8 +404,8 @@ void compare_with_cgal(const std::string& name, const Mesh& mesh)
     errors.push_back(std::abs(theirs[i] * rotation / std::abs(rotation) - ours[i]) /
                      std::abs(ours[i]));
   std::printf(
-      "Exact beside CGAL's shortest paths on %s, %zu vectors: relative difference in the median "
-      "%s,\n90 %% below %s, largest %s.  Bar: 0.02.\n\n",
+      "Exact compared with CGAL's shortest paths on %s, %zu vectors. Relative difference: median "
+      "%s,\n90th percentile %s, maximum %s. Target: 0.02.\n\n",
       name.c_str(), errors.size(), format_significant(median(errors)).c_str(),
       format_significant(quantile(errors, 0.9)).c_str(),
       format_significant(*std::max_element(errors.begin(), errors.end())).c_str());
@@ -431,8 +431,10 @@ std::vector<std::string> coefficients(const Mesh& mesh, Vertex base)
 
 void compare_with_theory(bool quick)
 {
-  std::printf("Distortion near the base: coefficients c of measure = value at the base + c |u|^m + "
-              "c' |u|^(m+2),\nfitted to faces nearer than 0.6, beside the formula\n");
+  std::printf(
+      "Distortion around the base: coefficients c of measure = value at the base + c |u|^m "
+      "+ c' |u|^(m+2),\nfitted to the faces within a distance of 0.6, and theoretical values "
+      "for curvature K\n");
   const Mesh sphere = icosphere(quick ? 5 : 6);
   const auto patch = test::hyperbolic_patch(quick ? 40 : 80, 0.2);
   const Mesh hyperbolic = mesh_of(patch.surface);
@@ -450,9 +452,10 @@ void compare_with_theory(bool quick)
                hyperbolic_exact[i]});
   table.print();
   std::printf(
-      "%zu vertices of an icosphere, %zu of a pseudosphere, jittered; stencils of length %.1f.  "
-      "Exact "
-      "unfolds\nflat faces, and bends at vertices.  Bar: 5 %% for Gradient, or 0.05/6 of zero.\n\n",
+      "Icosphere with %zu vertices, jittered pseudosphere with %zu vertices, stencils of length "
+      "%.1f. Exact\nunfolds planar faces and is distorted only at vertices. Target for Gradient: 5 "
+      "%%, or "
+      "0.05/6 if the\ncoefficient is zero.\n\n",
       std::size_t(num_vertices(sphere)), std::size_t(num_vertices(hyperbolic)),
       theory_stencil_length);
 }
@@ -506,10 +509,11 @@ std::vector<std::array<double, 2>> conformal_map(Mesh mesh, Vertex base)
 
 void compare_linearity(bool quick)
 {
-  std::printf("Optimality: sup |d(x,y) - |f(x) - f(y)|| / |f(y)|^2 of neighbours y of the base and "
-              "all x nearer "
-              "than 0.6,\non caps of spheres: bounded for normal coordinates alone\n");
-  Table table({"cap", "edge", "Exact", "Gradient", "orthogonal projection", "LSCM"});
+  std::printf(
+      "Optimality on spherical caps: sup |d(x,y) - |f(x) - f(y)|| / |f(y)|^2 over neighbors "
+      "y of the base and\nvertices x within a distance of 0.6. Only normal coordinates have "
+      "a bounded supremum.\n");
+  Table table({"vertices", "edge length", "Exact", "Gradient", "orthogonal projection", "LSCM"});
   for(unsigned level = 3; level <= (quick ? 5u : 6u); ++level)
   {
     const Mesh mesh = mesh_of(spherical_cap(level, 0.8));
@@ -539,7 +543,8 @@ void compare_linearity(bool quick)
 void compare_on_cylinder()
 {
   std::printf(
-      "Cylinder of radius 1, nearer than 1: mean less its value where nothing is distorted\n");
+      "Cylinder of radius 1, within a distance of 1: mean of each measure minus its value for an "
+      "isometry\n");
   const Mesh mesh = mesh_of(test::cylinder(120, 60, 1., 4.));
   const Vertex base(120 * 30);
   GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
@@ -634,11 +639,10 @@ void add_noise_row(Table& table, const std::string& name, double noise, const Me
 void compare_noise(unsigned level)
 {
   std::printf(
-      "Noise: root mean squares of angles, in degrees, nearer than 1: against Exact on the same "
-      "mesh "
-      "/\nagainst the sphere below, after the best rotation; noise in percent of an edge in each "
-      "coordinate,\nstencils in rings of neighbours\n");
-  Table table({"noise", "method", "default", "1 ring", "2 rings", "3 rings"});
+      "Noise: root mean square angles in degrees within a distance of 1, to Exact on the same "
+      "mesh / to the\nnoise-free sphere after the best rotation. Standard deviation of each "
+      "coordinate in percent of the mean\nedge length, stencil lengths in rings of neighbors.\n");
+  Table table({"noise %", "method", "default stencil", "1 ring", "2 rings", "3 rings"});
   const Mesh clean = icosphere(level);
   const std::vector<double> rings = {0., 1., 2., 3.};
   for(const double noise : {0., 0.01, 0.05})

@@ -133,9 +133,11 @@ std::pair<Mesh, double> isotropic_remesh(const Mesh& input, std::size_t vertices
 
 void print_quality(bool quick)
 {
-  std::printf("Angles in degrees, distances in percent of the diagonal\n");
-  Table table({"Remeshing", "vertices", "mean", "1st percentile", "least", "mean to input",
-               "RMS from input", "self-intersections", "seconds"});
+  std::printf(
+      "Quality: minimum angles of faces in degrees, distances in percent of the bounding box "
+      "diagonal\n");
+  Table table({"remeshing", "vertices", "mean angle", "1st percentile", "smallest", "mean to input",
+               "RMS from input", "self-intersections", "time [s]"});
   std::vector<std::string> names = {"elephant_2k8"};
   if(!quick)
     names = {"bunny_37k", "armadillo_26k", "fandisk_6k5",
@@ -166,12 +168,12 @@ void print_quality(bool quick)
       add("30 steps", 30, false, 180.);
       add("30 steps, fitted", 30, true, 180.);
       if(name == "fandisk_6k5")
-        add("30 steps, fitted, creases", 30, true, 40.);
+        add("30 steps, fitted, sharp edges kept", 30, true, 40.);
       const auto [output, time] = isotropic_remesh(*input, vertices);
       add_quality(table, name + ", CGAL", *input, output, time);
     }
   table.print();
-  std::printf("Bar: angles and distances at least as good as CGAL's, in less time.\n\n");
+  std::printf("Target: angles and distances at least as good as those of CGAL, in less time.\n\n");
 }
 
 struct Topology
@@ -214,9 +216,11 @@ bool has_repeated_faces(const Mesh& mesh)
 void print_topology(bool quick)
 {
   std::printf(
-      "Topology: vertices beyond the number asked for, and pairs of faces that intersect\n");
-  Table table({"Mesh", "vertices", "genus", "components", "borders", "kept", "200: added",
-               "intersect", "1000: added", "intersect", "5000: added", "intersect", "seconds"});
+      "Topology: number of vertices added to 200, 1,000 and 5,000 requested ones, and pairs of "
+      "intersecting faces\n");
+  Table table({"mesh", "vertices", "genus", "components", "boundary cycles", "same topology",
+               "200: added", "intersections", "1000: added", "intersections", "5000: added",
+               "intersections", "time [s]"});
   std::set<std::filesystem::path> files;
   const std::filesystem::path folder = std::filesystem::path(GEODESIC_PROCESSING_DATA) / "meshes";
   if(exists(folder))
@@ -259,8 +263,8 @@ void print_topology(bool quick)
     table.add(row);
   }
   table.print();
-  std::printf("Bar: kept everywhere, and no intersections with 1,000 vertices or more where the "
-              "input has none.\n\n");
+  std::printf("Targets: always the same topology; no intersections with 1,000 vertices or more if "
+              "the input has none.\n\n");
 }
 
 // Measures estimated Hausdorff distances between a part with creases and its remeshings, at equal
@@ -271,8 +275,9 @@ void print_densities()
   if(!input)
     return;
   std::printf(
-      "Densities: Hausdorff distances of a part with creases, in percent of the diagonal\n");
-  Table table({"fandisk_6k5", "vertices", "to input", "from input", "even/this"});
+      "Densities: Hausdorff distances of a part with creases, in percent of the bounding box "
+      "diagonal\n");
+  Table table({"fandisk_6k5", "vertices", "to input", "from input", "uniform / this"});
   Mesh mesh = *input;
   const auto speed = mesh.add_property_map<Vertex, double>("v:speed", 1.).first;
   const double percent = 100. / diagonal(mesh);
@@ -294,25 +299,25 @@ void print_densities()
   };
   constexpr double unbounded = std::numeric_limits<double>::infinity();
   add("even", 1000, 180., unbounded);
-  add("even, creases of 40 degrees kept", 1000, 40., unbounded);
+  add("uniform, sharp edges above 40 degrees kept", 1000, 40., unbounded);
   // 984 yields about 1,000 vertices: vertices are added at the ends of creases with small angles.
-  add("even, creases of 20 degrees kept", 984, 20., unbounded);
+  add("uniform, sharp edges above 20 degrees kept", 984, 20., unbounded);
   GP::curvature_speeds(mesh, speed);
   add("by curvature", 1000, 180., unbounded);
-  add("by curvature, creases of 40 degrees kept", 1000, 40., unbounded);
-  add("by curvature, creases of 20 degrees kept", 995, 20., unbounded);
+  add("by curvature, sharp edges above 40 degrees kept", 1000, 40., unbounded);
+  add("by curvature, sharp edges above 20 degrees kept", 995, 20., unbounded);
   // The deviation adds vertices to the first 300.
-  add("by curvature, creases of 40 degrees kept, and a deviation", 300, 40.,
+  add("by curvature, sharp edges above 40 degrees kept, maximum deviation", 300, 40.,
       0.002 * diagonal(mesh));
   table.print();
-  std::printf("Bar: 3 by curvature, with as many vertices.\n\n");
+  std::printf("Target: a ratio of 3 by curvature, at equal numbers of vertices.\n\n");
 }
 
 void print_times(bool quick)
 {
-  std::printf("Time\n");
-  Table table({"Remeshing", "vertices", "to", "one front [s]", "seconds", "12 steps, fitted [s]",
-               "per step [s]", "CGAL [s]"});
+  std::printf("Processor times of remeshing\n");
+  Table table({"mesh", "vertices", "output vertices", "one front [s]", "no relaxation [s]",
+               "12 steps, fitted [s]", "per step [s]", "CGAL [s]"});
   const auto add = [&](const std::string& name, const Mesh& mesh, std::size_t vertices)
   {
     GP::Geodesic_distance_solver<Mesh, GP::Euclidean_front> solver(mesh);
@@ -343,11 +348,12 @@ void print_times(bool quick)
     {
       add(name, *mesh, 5000);
       if(name == "bunny_37k")
-        add(name + ", cut once", refined(*mesh), 5000);
+        add(name + ", refined once", refined(*mesh), 5000);
     }
   table.print();
-  std::printf("Bar: less than CGAL's, which took 0.8 s from 43,000 vertices to 5,000, 2.5 s from "
-              "134,000.\n\n");
+  std::printf(
+      "Target: less time than CGAL, which took 0.8 s from 43,000 to 5,000 vertices and 2.5 s "
+      "from 134,000.\n\n");
 }
 
 } // namespace

@@ -93,8 +93,8 @@ inline std::string format_fixed(double value, int decimals)
   if(std::isinf(value))
     return "inf";
   char text[64];
-  const double rounding = 0.5 * std::pow(10., -decimals); // avoids "-0.00"
-  std::snprintf(text, sizeof(text), "%.*f", decimals, std::fabs(value) < rounding ? 0. : value);
+  const double max_zero = 0.5 * std::pow(10., -decimals); // avoids "-0.00"
+  std::snprintf(text, sizeof(text), "%.*f", decimals, std::fabs(value) < max_zero ? 0. : value);
   return text;
 }
 

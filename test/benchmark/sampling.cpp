@@ -76,7 +76,8 @@ void add(Table& table, const std::string& name, const Mesh& mesh, std::size_t nu
 int main(int argc, char* argv[])
 {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  std::printf("Farthest points: processor time of one thread, medians of three rounds.\n\n");
+  std::printf(
+      "Farthest point sampling: median processor times of one thread over three rounds\n\n");
   std::vector<Task> tasks = {
       {"icosphere 5", [] { return icosphere(5); }, 200},
       {"bunny_37k", [] { return load_model("bunny_37k"); }, 200},
@@ -84,12 +85,12 @@ int main(int argc, char* argv[])
   if(!quick)
     tasks = {
         {"icosphere 7", [] { return icosphere(7); }, 5000},
-        {"bunny_37k once", [] { return subdivided_model("bunny_37k", 1); }, 5000},
+        {"bunny_37k, refined once", [] { return subdivided_model("bunny_37k", 1); }, 5000},
         {"mni152_grey_matter_533k", [] { return load_model("mni152_grey_matter_533k"); }, 1000},
     };
   Table table({"mesh", "vertices", "method", "samples", "one front [ms]", "all samples [s]",
-               "in fronts", "alone", "one of the first tenth [ms]", "one of the rest [ms]",
-               "covering radius [edges]"});
+               "ratio", "ratio with set-up", "per sample, first tenth [ms]",
+               "per sample, others [ms]", "covering radius [edges]"});
   for(const Task& task : tasks)
     if(const auto mesh = task.make())
     {
@@ -97,6 +98,6 @@ int main(int argc, char* argv[])
       add<GP::Fast_marching>(table, task.name, *mesh, task.samples, "Fast_marching");
     }
   table.print();
-  std::printf("Bar: at most 8 fronts for 1,000 samples of half a million vertices and for 5,000 of "
-              "134,000;\none of the rest cheaper than one of the first tenth.\n");
+  std::printf("Targets: a ratio of at most 8 for 1,000 samples of half a million vertices and for "
+              "5,000 of 134,000;\nother samples cheaper than the first tenth.\n");
 }

@@ -129,16 +129,17 @@ public:
 
   void print() const
   {
-    std::printf("Queries from one vertex over the whole mesh, milliseconds\n");
+    std::printf("Distances from one vertex to all vertices: times in milliseconds\n");
     m_queries.print();
     std::printf(
-        "Bars: Euclidean/marching at most 1.5; solve/marching at least 1.5 at 130,000 to 530,000 "
-        "vertices.\n\"write\" is the copy of the distances to the mesh, which is part of CGAL's "
-        "solve;\n\"unset\" counts vertices that CGAL's solve left without a distance.\n\n");
-    std::printf(
-        "Domains and solvers: milliseconds; bytes for each vertex, of solvers after a query\n");
+        "Targets: Euclidean/marching at most 1.5; solve/marching at least 1.5 at 130,000 to "
+        "530,000 vertices.\n\"write\" copies the distances to the mesh; CGAL's solve includes "
+        "this step. \"unset\" is the number of\nvertices to which CGAL's solve assigns no "
+        "distance.\n\n");
+    std::printf("Set-up of domains and solvers: times in milliseconds, memory in bytes per vertex "
+                "(of a\nsolver: after a query)\n");
     m_domains.print();
-    std::printf("Bars: make_domain below 500 ms at a million vertices; at most 200 bytes for each "
+    std::printf("Targets: make_domain below 500 ms at a million vertices; at most 200 bytes per "
                 "vertex.\n\n");
   }
 
@@ -147,13 +148,13 @@ private:
                    "CGAL solve", "unset", "Euclidean/marching", "solve/marching",
                    "solve/(marching+write)", "solve/Euclidean"}};
   Table m_domains{{"mesh", "vertices", "make_domain", "marching solver", "Euclidean solver",
-                   "CGAL heat set-up [s]", "domain [B]", "peak while made [B]",
+                   "CGAL heat set-up [s]", "domain [B]", "peak of make_domain [B]",
                    "marching solver [B]", "Euclidean solver [B]"}};
 };
 
-// Queries that stop after about a thousand vertices.
+// Queries with a maximum distance that contains about a thousand vertices.
 
-// Returns the distance within which the `count` vertices closest to the source lie. Returns nan if
+// Returns the smallest radius around the source that contains `count` vertices. Returns nan if
 // the component of the source has fewer vertices.
 double radius_of_count(Solver<GP::Euclidean_front>& front, Vertex source, std::size_t count,
                        double first_guess)
@@ -197,14 +198,14 @@ void measure_bounded(const std::string& name, const Mesh& mesh)
         cpu_seconds([&] { front.compute(source, GP::parameters::maximum_distance(bound)); }));
     reached.push_back(double(front.reached().size()));
   }
-  Table table(
-      {"Bounded query", "vertices", "reached", "marching [ms]", "Euclidean [ms]", "slowest [ms]"});
+  Table table({"bounded query", "vertices", "reached vertices", "marching [ms]", "Euclidean [ms]",
+               "Euclidean, maximum [ms]"});
   if(!front_times.empty())
     table.add({name, std::to_string(num_vertices(mesh)), format_fixed(median(reached), 0),
                milliseconds(median(marching_times)), milliseconds(median(front_times)),
                milliseconds(*std::max_element(front_times.begin(), front_times.end()))});
   table.print();
-  std::printf("Bar: below 1 ms.  Medians of %zu random sources.\n\n", front_times.size());
+  std::printf("Medians over %zu random sources. Target: below 1 ms.\n\n", front_times.size());
 }
 
 // Paths between two vertices of a prepared mesh.
@@ -256,8 +257,8 @@ void measure_paths(const std::string& name, const Mesh& mesh, const Mesh& coarse
     exact.push_back(exact_distances(coarse, source));
   const auto targets = random_vertices(num_vertices(coarse), 3 * 100);
 
-  Table table({"Path between random vertices", "prepare [ms]", "median [ms]", "90 % [ms]",
-               "slowest [ms]", "first round, median", "excess %, mean", "median", "largest"});
+  Table table({"path between random vertices", "set-up [ms]", "median [ms]", "90th percentile [ms]",
+               "maximum [ms]", "first round, median [ms]", "mean excess %", "median", "maximum"});
   for(const Path_method& method : methods)
   {
     std::vector<double> first_round, second_round, excess;
@@ -283,7 +284,8 @@ void measure_paths(const std::string& name, const Mesh& mesh, const Mesh& coarse
   }
   std::printf("%s, %zu vertices\n", name.c_str(), std::size_t(num_vertices(mesh)));
   table.print();
-  std::printf("Bar: median below 10 ms.  The excess is over CGAL's exact distance.\n\n");
+  std::printf(
+      "Excess: length relative to CGAL's exact distance. Target: median time below 10 ms.\n\n");
 }
 
 } // namespace
@@ -293,7 +295,7 @@ int main(int argc, char* argv[])
 {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
 
-  std::printf("Speed: processor time of one thread, medians.\n\n");
+  std::printf("Speed: median processor times of one thread\n\n");
 
   const auto scan = load_model("bunny_37k");
   const auto subdivided_scan = [&](unsigned times) -> std::optional<Mesh>
@@ -315,8 +317,8 @@ int main(int argc, char* argv[])
         {"icosphere 7", [] { return icosphere(7); }},
         {"icosphere 8", [] { return icosphere(8); }, Cgal_comparison::never},
         {"square 1001^2", [] { return jittered_square(1001); }, Cgal_comparison::never},
-        {"bunny_37k once", [&] { return subdivided_scan(1); }},
-        {"bunny_37k twice", [&] { return subdivided_scan(2); }},
+        {"bunny_37k, refined once", [&] { return subdivided_scan(1); }},
+        {"bunny_37k, refined twice", [&] { return subdivided_scan(2); }},
         {"mni152_grey_matter_533k", [] { return load_model("mni152_grey_matter_533k"); }},
     };
 
@@ -335,11 +337,12 @@ int main(int argc, char* argv[])
     }
 
   if(scan)
-    measure_paths(quick ? "bunny_37k" : "bunny_37k once", *subdivided_scan(quick ? 0 : 1), *scan);
+    measure_paths(quick ? "bunny_37k" : "bunny_37k, refined once", *subdivided_scan(quick ? 0 : 1),
+                  *scan);
   else
   {
     const Mesh coarse = icosphere(quick ? 4 : 5);
-    measure_paths(quick ? "icosphere 4 twice" : "icosphere 5 twice", refined(refined(coarse)),
-                  coarse);
+    measure_paths(quick ? "icosphere 4, refined twice" : "icosphere 5, refined twice",
+                  refined(refined(coarse)), coarse);
   }
 }

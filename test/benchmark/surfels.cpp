@@ -187,8 +187,8 @@ void add_row(Table& table, const std::string& name, std::size_t surfels,
 
 std::vector<std::string> table_header()
 {
-  return {"surface",  "surfels", "EG paper", "EP", "EG HP", "EP",
-          "EG disks", "EP",      "EG ours",  "EP", "points"};
+  return {"surface",  "surfels", "EG paper", "EP", "EG HP",         "EP",
+          "EG disks", "EP",      "EG ours",  "EP", "control points"};
 }
 
 Cloud_path_options with_method(Surfel_path_method method)
@@ -213,7 +213,7 @@ void print_clean(std::vector<Surface>& surfaces)
 
 void print_spheres()
 {
-  std::printf("Table 4, unit spheres from the octahedron\n");
+  std::printf("Table 4, unit spheres subdivided from the octahedron: relative errors in percent\n");
   Table table(table_header());
   const Published_errors paper[] = {
       {6.20, 2.162}, {2.95, 0.885}, {1.02, 0.275}, {0.34, 0.074}, {0.08, 0.035}};
@@ -239,7 +239,9 @@ std::vector<double> radii(const Cloud& cloud)
 
 void print_noisy(std::vector<Surface>& surfaces)
 {
-  std::printf("Table 5, noise; +5 %%: as many outliers at level 200 %% added\n");
+  std::printf(
+      "Table 5, noise in percent of the surfel radius: relative errors in percent. \"+5 %%\": 5 %% "
+      "of outliers\nwith a noise of 200 %% are added\n");
   Table table(table_header()),
       weights({"surface", "surfels", "EG spheres", "EP", "EG robust spheres", "EP"});
   const Published_errors paper[] = {{0.49, 0.25}, {0.019, 0.097}, {0.69, 0.46},
@@ -282,7 +284,7 @@ void print_noisy(std::vector<Surface>& surfaces)
   Surface square = {"scan", scanned_square(94, 70, 0), straight_segment};
   add(square, "scanned plane", scanned, {0.15, 0.25}, {0.40, 0.33});
   table.print();
-  std::printf("Plain and robust weights, nothing removed\n");
+  std::printf("Plain and robust weights, without prior removal of noise and outliers\n");
   for(std::size_t i = 0; i < 3; ++i)
   {
     const Surface& s = surfaces[i];
@@ -349,8 +351,9 @@ double ellipsoid(const Vec3& p, Vec3& gradient)
 void print_orders()
 {
   std::printf(
-      "Surfaces that no algebraic sphere is: EG in percent, the truth by the surface's formula\n");
-  Table table({"surface", "surfels", "EG", "times smaller"});
+      "Convergence on surfaces that algebraic spheres do not represent exactly: EG in percent, "
+      "relative to\ngeodesics of the implicit surface\n");
+  Table table({"surface", "surfels", "EG", "reduction factor"});
   const auto add =
       [&](const std::string& name, const Implicit_surface& surface, const auto& make_points)
   {
@@ -386,15 +389,16 @@ void print_orders()
   add("ellipsoid", Implicit_surface(ellipsoid),
       [](std::size_t n) { return ellipsoid_cloud(n, axes); });
   table.print();
-  std::printf("wanted: 4 times smaller with 4 times as many surfels\n\n");
+  std::printf("Target: a factor of 4 with 4 times as many surfels.\n\n");
 }
 
 // Measures the time of 100 paths on prepared clouds, on one core. The paper's model of 134,345
 // surfels is replaced by an ellipsoid.
 void print_path_times(const std::vector<Surface>& surfaces)
 {
-  std::printf("Table 2, seconds for 100 paths (the paper's: Pentium 4, 2.8 GHz)\n");
-  Table table({"surface", "surfels", "points paper", "paper", "HP", "points", "ours", "prepared"});
+  std::printf("Table 2, seconds for 100 paths (in the paper: Pentium 4, 2.8 GHz)\n");
+  Table table(
+      {"surface", "surfels", "paper, points", "paper", "HP", "ours, points", "ours", "set-up"});
   const auto add = [&](const std::string& name, const Cloud& clean, const Cloud& cloud,
                        double paper_points, double paper, double hp)
   {
@@ -431,16 +435,17 @@ void print_path_times(const std::vector<Surface>& surfaces)
   const Cloud scanned = scanned_square(94, 70, 3);
   add("scanned plane", scanned, scanned, 30.81, 0.69, 0.57);
   table.print();
-  std::printf("wanted: 1 s on the ellipsoid\n\n");
+  std::printf("Target: 1 s on the ellipsoid.\n\n");
 }
 
 // Measures times on ellipsoids with the numbers of surfels of the paper's models.
 void print_times(bool is_quick)
 {
   std::printf(
-      "Table 1, times on ellipsoids of as many surfels (the paper's: Pentium 4, 2.8 GHz)\n");
-  Table table({"surfels", "graph paper", "graph (2 threads)", "processor", "prepared", "100 paths",
-               "points", "us per point", "chains of them", "by A*", "too long"});
+      "Table 1, seconds on ellipsoids with equal numbers of surfels (in the paper: Pentium 4, "
+      "2.8 GHz)\n");
+  Table table({"surfels", "paper, graph", "graph, 2 threads", "processor", "set-up", "100 paths",
+               "control points", "us per point", "initial paths", "by A*", "length excess"});
   const std::pair<std::size_t, double> models[] = {
       {35948, 3.50},  {52809, 3.90},   {101685, 4.73},   {134345, 6.08},
       {183408, 7.16}, {546137, 33.07}, {1060220, 46.75}, {1279519, 56.39}};
@@ -499,8 +504,8 @@ void print_times(bool is_quick)
                percent(length / shortest - 1.) + " %"});
   }
   table.print();
-  std::printf("wanted: 1.5 s for the graph of a million, and no more for 100 paths than on a "
-              "hundred thousand\n\n");
+  std::printf("Targets: 1.5 s for the graph of a million surfels; 100 paths no slower than with a "
+              "hundred thousand.\n\n");
 }
 
 // Reads a cloud with its normals. If it has none, they are computed by estimate_surfels().
@@ -522,14 +527,15 @@ Cloud load_scan(const std::filesystem::path& file)
 // Statistics of paths on a scan.
 struct Path_adherence
 {
-  std::size_t pairs = 0, points = 0, number_beyond = 0, crossings = 0, longer = 0;
-  double farthest = 0.; // largest distance divided by the local spacing
+  std::size_t pairs = 0, points = 0, number_outside = 0, crossings = 0, longer = 0;
+  double max_distance = 0.; // largest distance divided by the local spacing
 };
 
-// Counts path points beyond the surfels, and path steps that cross between sheets.
+// Counts path points outside of the cloud, and path steps between separate sheets.
 //
-// A point is beyond if its nearest surfel is farther than the local spacing. The local spacing is
-// the 95th percentile, over the 60 nearest surfels, of the distance to the sixth neighbor.
+// A point is outside if its distance to the nearest surfel exceeds the local spacing. The local
+// spacing is the 95th percentile, over the 60 nearest surfels, of the distance to the sixth
+// neighbor.
 //
 // Two surfels agree if their normals differ by less than 100 degrees, and if their chord rises
 // above neither of them by more than that difference. Two surfels are on separate sheets if no
@@ -592,8 +598,8 @@ Path_adherence measure_adherence(const Cloud& cloud, std::size_t max_pairs, unsi
       const double ratio =
           std::sqrt(near.front().squared_distance) / local_spacing[percentile_index];
       ++result.points;
-      result.number_beyond += ratio > 1.;
-      result.farthest = std::max(result.farthest, ratio);
+      result.number_outside += ratio > 1.;
+      result.max_distance = std::max(result.max_distance, ratio);
       result.crossings += i > 0 && crosses_sheets(points[i - 1], points[i]);
     }
   }
@@ -602,9 +608,11 @@ Path_adherence measure_adherence(const Cloud& cloud, std::size_t max_pairs, unsi
 
 void print_scans(unsigned seed)
 {
-  std::printf("Scans: how paths keep to their surfels (seed %u)\n", seed);
-  Table table({"scan", "surfels", "pairs", "points", "beyond", "farthest", "longer", "crossings",
-               "without normals"});
+  std::printf(
+      "Scans: distances of paths to the cloud, and steps between separate sheets (seed %u)\n",
+      seed);
+  Table table({"scan", "surfels", "paths", "points", "outside", "maximum distance", "longer",
+               "crossings", "without normals"});
   std::vector<std::filesystem::path> files;
   const auto folder = std::filesystem::path(GEODESIC_PROCESSING_DATA) / "points";
   if(exists(folder))
@@ -617,13 +625,13 @@ void print_scans(unsigned seed)
                            without_normals =
                                measure_adherence(cloud, 60, seed, Surfel_graph::nearest);
       table.add({file.stem().string(), std::to_string(cloud.size()), std::to_string(k.pairs),
-                 std::to_string(k.points), std::to_string(k.number_beyond),
-                 format_fixed(k.farthest, 3), std::to_string(k.longer), std::to_string(k.crossings),
-                 std::to_string(without_normals.crossings)});
+                 std::to_string(k.points), std::to_string(k.number_outside),
+                 format_fixed(k.max_distance, 3), std::to_string(k.longer),
+                 std::to_string(k.crossings), std::to_string(without_normals.crossings)});
     }
   table.print();
-  std::printf("wanted: none beyond, none longer than where it started, and no crossings; without "
-              "normals there may be some\n\n");
+  std::printf("Targets: no point outside, no path longer than its initial path, no crossings (some "
+              "are allowed without normals).\n\n");
 }
 
 } // namespace

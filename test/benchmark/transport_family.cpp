@@ -157,8 +157,8 @@ void measure_one_to_all(const std::string& name, const Array_surface& surface, T
 int main(int argc, char* argv[])
 {
   const bool is_quick = argc > 1 && std::string(argv[1]) == "--quick";
-  Table pairs({"all pairs, k = 0", "vertices", "samples", "gradient: set-up s", "s",
-               "balanced: set-up s", "s", "biharmonic s"});
+  Table pairs({"all pairs, k = 0", "vertices", "samples", "gradient: set-up [s]", "query [s]",
+               "balanced: set-up [s]", "query [s]", "biharmonic [s]"});
   std::vector<std::string> names = {"triceratops_2k8", "fandisk_6k5",
                                     "fsaverage5_inflated_left_10k"};
   if(!is_quick)
@@ -168,9 +168,9 @@ int main(int argc, char* argv[])
       measure_pairs(name, Array_surface(triangulation_of(*mesh)), pairs);
   pairs.print();
 
-  Table table({"one to all", "vertices", "flow", "k", "set-up s", "s", "2 threads: times faster",
-               "targets/s", "mean error %", "largest %", "s a pair to 1e-3", "above geodesic %",
-               "unevenness"});
+  Table table({"one to all", "vertices", "flow", "k", "set-up [s]", "query [s]",
+               "speed-up, 2 threads", "targets/s", "mean error %", "maximum %",
+               "per pair, gap 1e-3 [s]", "above geodesic %", "unevenness"});
   names = {"triceratops_2k8"};
   if(!is_quick)
     names.insert(names.end(), {"fandisk_6k5", "fsaverage5_inflated_left_10k"});
@@ -179,7 +179,7 @@ int main(int argc, char* argv[])
       measure_one_to_all(name, Array_surface(triangulation_of(*mesh)), table);
   table.print();
   std::printf(
-      "To reach: 100 samples of bunny_37k in 0.6 s with set-up; one to all of 10k vertices in "
-      "2.5 s for k = 0,\nin 30 s for k = 100 with a mean error of 1 %%, 1.7 times faster "
-      "with 2 threads.\n");
+      "Targets: 100 samples of bunny_37k in 0.6 s including set-up; one to all of 10,000 vertices "
+      "in 2.5 s for k = 0,\nin 30 s for k = 100 with a mean error of 1 %%; speed-up of 1.7 "
+      "with two threads.\n");
 }

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measures distances between points in space: the precision of coordinates, the time and error of
-// slices, and if paths stay inside. --quick: small slices.
+// Measures distances between points in space: the precision of mean value coordinates, the time and
+// error of distances on planar slices, and intersections of paths with the surface. --quick: small
+// slices.
 #include "Array_surface.h"
 #include "report.h"
 
@@ -56,8 +57,8 @@ struct Box
       result[c] = low[c] + uniform(random) * (high[c] - low[c]);
     return result;
   }
-  // Returns an n x n grid of points on the middle plane across the last axis. The grid exceeds the
-  // box, so that some points are outside.
+  // Returns an n x n grid of points on the central plane perpendicular to the last axis. The grid
+  // exceeds the box, so that some points are outside.
   std::vector<Vec3> slice(int n) const
   {
     std::vector<Vec3> result;
@@ -142,7 +143,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 Kernel::Point_3 to_point(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
-std::size_t count_crossings(const std::vector<Vec3>& path, const Triangulation& shape)
+std::size_t count_intersections(const std::vector<Vec3>& path, const Triangulation& shape)
 {
   std::vector<Kernel::Triangle_3> triangles;
   for(std::size_t f = 0; f < shape.corners.size(); f += 3)
@@ -177,7 +178,7 @@ void add_path_row(const std::string& name, const Triangulation& shape, int pairs
          !distances.coordinates().are_on_same_side(p, outside))
         return p;
   };
-  std::size_t arrived = 0, number_of_crossings = 0, solutions = 0;
+  std::size_t arrived = 0, number_of_intersections = 0, solutions = 0;
   double max_length_ratio = 0.;
   const double time = cpu_seconds(
       [&]
@@ -188,7 +189,7 @@ void add_path_row(const std::string& name, const Triangulation& shape, int pairs
           const Volumetric_path path = distances.path(from, to, 1000);
           arrived += path.has_arrived;
           solutions += path.number_of_solutions;
-          number_of_crossings += count_crossings(path.points, shape);
+          number_of_intersections += count_intersections(path.points, shape);
           double length = 0.;
           for(std::size_t k = 1; k < path.points.size(); ++k)
             length += norm(path.points[k] - path.points[k - 1]);
@@ -196,7 +197,7 @@ void add_path_row(const std::string& name, const Triangulation& shape, int pairs
         }
       });
   table.add({name, std::to_string(surface.size()), std::to_string(pairs), std::to_string(arrived),
-             std::to_string(number_of_crossings), benchmarks::format_fixed(max_length_ratio, 2),
+             std::to_string(number_of_intersections), benchmarks::format_fixed(max_length_ratio, 2),
              std::to_string(solutions / std::size_t(pairs)),
              benchmarks::format_fixed(time / pairs, 1)});
 }
@@ -209,27 +210,27 @@ int main(int argc, char* argv[])
   const std::vector<std::pair<std::string, Triangulation>> shapes = {
       {"icosphere 5", icosphere(5)}, {"turbine", load_model("turbine_9k")}};
 
-  Table coordinates({"coordinates", "vertices", "linear error in the box, diameters", "ms each",
-                     "in 20 times the box"});
+  Table coordinates({"coordinates", "vertices", "linear error [diagonals]", "time per point [ms]",
+                     "linear error in a box of 20 times the size"});
   for(const auto& [name, shape] : shapes)
     if(!shape.points.empty())
       add_coordinates_row(name, shape, coordinates);
   coordinates.print();
-  std::printf("To reach: 1e-9.\n\n");
+  std::printf("Target: 1e-9.\n\n");
 
-  Table slices({"a slice, 2 threads", "vertices", "points", "processor s", "watch s", "solved",
-                "largest gap %", "largest error %"});
+  Table slices({"slice, 2 threads", "vertices", "points", "processor [s]", "wall-clock [s]",
+                "solved", "maximum gap %", "maximum error %"});
   for(const auto& [name, shape] : shapes)
     if(!shape.points.empty())
       add_slice_row(name, shape, quick ? 20 : 100, slices);
   slices.print();
-  std::printf("To reach: 60 s on two cores, 1 %%.\n\n");
+  std::printf("Targets: 60 s on two cores, 1 %%.\n\n");
 
-  Table paths({"paths inside", "vertices", "pairs", "arrive", "segments that cross",
-               "longest over straight", "solutions each", "s each"});
+  Table paths({"paths inside", "vertices", "pairs", "complete paths", "intersecting segments",
+               "maximum length / straight line", "solutions per path", "time per path [s]"});
   for(const char* const name : {"elephant_2k8", "knot1_3k", "femur_3k9", "cow_2k9"})
     if(const Triangulation shape = load_model(name); !shape.points.empty())
       add_path_row(name, shape, quick ? 2 : 10, paths);
   paths.print();
-  std::printf("To reach: none crosses.\n");
+  std::printf("Target: no intersections.\n");
 }

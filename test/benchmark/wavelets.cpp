@@ -145,7 +145,8 @@ void report(const std::string& name, const Mesh& mesh, std::vector<Panel>& panel
   Tree tree(faces(mesh).first, faces(mesh).second, mesh);
   tree.accelerate_distance_queries();
   const double n = double(num_vertices(mesh));
-  Table table({name + ", prediction", "kept", "bits", "error", "to surface", "seconds"});
+  Table table(
+      {name + ": prediction", "kept", "bits per vertex", "error", "error to surface", "time [s]"});
   for(const double percent : {5., 10., 20.})
   {
     const Wavelet wavelet(mesh);
@@ -160,7 +161,7 @@ void report(const std::string& name, const Mesh& mesh, std::vector<Panel>& panel
                  format_fixed(kept.surface, 3), ""});
     }
   }
-  Panel panel = {name, "bits for each vertex", {}};
+  Panel panel = {name, "bits per vertex", {}};
   for(const auto p : predictions)
   {
     const Wavelet wavelet(mesh, GP::parameters::wavelet_prediction(p));

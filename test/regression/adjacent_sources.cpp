@@ -59,7 +59,7 @@ TEST(Adjacent_sources, distance_is_minimum_over_single_sources)
       // Neither of two meeting fronts crosses the triangle between them. The error is a fraction
       // of the edge length 0.3 for planar fronts. It is smaller for Euclidean fronts, which know
       // their origin.
-      const double error = method == Method::dijkstra        ? rounding
+      const double error = method == Method::dijkstra        ? round_off_tolerance
                            : method == Method::fast_marching ? 0.1
                                                              : 0.05;
       const auto joint_distances = distances(surface, method, sources);

@@ -27,11 +27,12 @@ TEST(Fronts_of_different_sources, are_not_combined_into_one_front)
   {
     const auto from_both_points =
         distances(surface, method, {surface.source(0), surface.source(1, 0., 1)});
-    EXPECT_NEAR(from_both_points[2], edge_length, rounding) << method;
+    EXPECT_NEAR(from_both_points[2], edge_length, round_off_tolerance) << method;
     // An edge as a line source: all of its points are sources.
     if(method == Method::dijkstra)
       continue;
-    EXPECT_NEAR(distances(surface, method, {surface.line({0, 1})})[2], height, rounding) << method;
+    EXPECT_NEAR(distances(surface, method, {surface.line({0, 1})})[2], height, round_off_tolerance)
+        << method;
   }
 }
 
@@ -57,7 +58,7 @@ TEST(Fronts_of_different_sources, are_not_shorter_than_nearest_source)
         EXPECT_GE(both[i], expected - undercut) << method;
         // Neither of two meeting fronts crosses the triangle between them. The error is a fraction
         // of an edge length.
-        const double error = method == Method::dijkstra ? rounding : 0.5 / 24.;
+        const double error = method == Method::dijkstra ? round_off_tolerance : 0.5 / 24.;
         EXPECT_NEAR(both[i], std::min(first[i], second[i]), error) << method;
       }
     }

@@ -33,7 +33,7 @@ TEST(Maximum_distance, bounds_reached_vertices)
       EXPECT_NEAR(double(front.reached().size()), double(number_inside), 1.)
           << method << ' ' << maximum;
       for(const Index vertex : front.reached())
-        EXPECT_LE(surface.scale() * front.distance(vertex), maximum * (1. + rounding));
+        EXPECT_LE(surface.scale() * front.distance(vertex), maximum * (1. + round_off_tolerance));
     }
   }
 }

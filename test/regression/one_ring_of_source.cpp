@@ -25,7 +25,7 @@ void expect_edge_lengths(const Triangulation& shape)
           {
             const Index neighbor = shape.corners[corner];
             EXPECT_NEAR(d[neighbor], distance(shape.points[source], shape.points[neighbor]),
-                        rounding)
+                        round_off_tolerance)
                 << method;
           }
     }
@@ -46,7 +46,7 @@ TEST(One_ring_of_source, is_at_edge_length_at_extreme_scales)
     const Array_surface surface(plane);
     for(const Method method : fronts)
       EXPECT_NEAR(distances(surface, method, {surface.source(24)})[25] / factor,
-                  distance(plane.points[24], plane.points[25]) / factor, rounding);
+                  distance(plane.points[24], plane.points[25]) / factor, round_off_tolerance);
   }
 }
 

@@ -66,8 +66,8 @@ void expect_paths_inside_disks(const IsInside& is_inside)
             p[axis] = a[axis] + 0.1 * step * (b[axis] - a[axis]);
           bool is_covered = false;
           for(Index vertex = 0; vertex < t.number_of_vertices() && !is_covered; ++vertex)
-            is_covered =
-                distance(p, t.point[vertex]) <= 2.5 * cloud.radius[vertex] * (1. + rounding);
+            is_covered = distance(p, t.point[vertex]) <=
+                         2.5 * cloud.radius[vertex] * (1. + round_off_tolerance);
           EXPECT_TRUE(is_covered) << "at " << t.scale * p[0] << ' ' << t.scale * p[1];
         }
       }

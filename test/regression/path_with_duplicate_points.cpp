@@ -40,7 +40,7 @@ void expect_no_duplicate_points(const Triangulation& shape)
       const auto geodesic = path(t, front, sources, from);
       expect_path_on_surface(t, geodesic, from, to);
       EXPECT_GE(surface.scale() * internal::path_length(t, geodesic),
-                distance(point_at(t, from), point_at(t, to)) - rounding);
+                distance(point_at(t, from), point_at(t, to)) - round_off_tolerance);
     }
   }
 }

@@ -25,7 +25,7 @@ void expect_independent_queries(const Array_surface& surface, Engine engine)
     engine.run({surface.source(source)});
     EXPECT_EQ(surface.distances(engine), surface.distances(fresh));
     // Heat is accurate in the mean over its sources. Here, there is one source.
-    EXPECT_NEAR(engine.distance(surface.vertex(source)), 0., rounding);
+    EXPECT_NEAR(engine.distance(surface.vertex(source)), 0., round_off_tolerance);
     for(Index i = 0; i < surface.size(); ++i)
     {
       EXPECT_LT(engine.distance(surface.vertex(i)), internal::infinity);

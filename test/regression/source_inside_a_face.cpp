@@ -26,7 +26,8 @@ TEST(Source_inside_a_face, distance_to_corners_is_euclidean)
       for(int k = 0; k < 3; ++k)
       {
         const Index corner = surface.caller_vertex(t.corner[3 * location.triangle + k]);
-        EXPECT_NEAR(d[corner], distance(shape.points[corner], point_at(t, location)), rounding)
+        EXPECT_NEAR(d[corner], distance(shape.points[corner], point_at(t, location)),
+                    round_off_tolerance)
             << method;
       }
     }
@@ -75,7 +76,7 @@ TEST(Source_inside_a_face, distance_is_continuous_towards_corner)
       // A front from a face crosses other triangles than one from a vertex. Around a source
       // vertex, a planar front is exact; around a location in a face, it is not.
       const double error = method == Method::euclidean_front ? 1e-3
-                           : method == Method::dijkstra      ? 2. * fraction + rounding
+                           : method == Method::dijkstra      ? 2. * fraction + round_off_tolerance
                                                              : 0.05;
       EXPECT_LT(largest_error(from_face, [&](Index i) { return from_vertex[i]; }), error)
           << method << ", share " << fraction;

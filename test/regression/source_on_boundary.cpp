@@ -49,7 +49,7 @@ TEST(Source_on_boundary, distance_is_symmetric)
       {
         // Both distances may err. Planar fronts have first-order errors in the edge length. Behind
         // the hole, Euclidean fronts err by a fraction of it.
-        const double error = method == Method::dijkstra        ? rounding
+        const double error = method == Method::dijkstra        ? round_off_tolerance
                              : method == Method::fast_marching ? 0.5 * edge_length
                                                                : 0.2 * edge_length;
         EXPECT_NEAR(d[a][11 * b], d[b][11 * a], error) << method;
@@ -69,7 +69,8 @@ TEST(Source_on_boundary, paths_follow_boundary)
   const Surface_location end = surface.at(n); // the other end of this side of the square
   const auto path_along_boundary = path(t, front, sources, end);
   expect_path_on_surface(t, path_along_boundary, end, surface.at(0));
-  EXPECT_NEAR(surface.scale() * internal::path_length(t, path_along_boundary), 1., rounding);
+  EXPECT_NEAR(surface.scale() * internal::path_length(t, path_along_boundary), 1.,
+              round_off_tolerance);
 }
 
 } // namespace

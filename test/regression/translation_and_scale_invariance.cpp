@@ -44,7 +44,7 @@ TEST(Translation_and_scale_invariance, distances_are_translation_invariant)
             largest_error(distances(translated_surface, method, {translated_surface.source(100)}),
                           [&](Index i) { return expected[i]; }),
             // Lengths are bitwise equal. A solve may use another order of summation.
-            method == Method::heat ? 1e-9 : rounding)
+            method == Method::heat ? 1e-9 : round_off_tolerance)
             << method;
       }
     }
@@ -66,7 +66,7 @@ TEST(Translation_and_scale_invariance, path_lengths_are_translation_invariant)
     return s.scale() * internal::path_length(*s.triangles(), found);
   };
   for(Index from = 1; from < surface.size(); from += 40)
-    EXPECT_NEAR(length(translated_surface, from), length(surface, from), rounding);
+    EXPECT_NEAR(length(translated_surface, from), length(surface, from), round_off_tolerance);
 }
 
 TEST(Translation_and_scale_invariance, distances_are_scale_invariant)

@@ -24,11 +24,12 @@ void expect_plane(const Triangulation& plane)
     const double expected = distance(point_at(t, from), point_at(t, to));
     EXPECT_LT(largest_error(surface.distances(front),
                             [&](Index v) { return distance(plane.points[v], point_at(t, to)); }),
-              rounding);
-    EXPECT_NEAR(surface.scale() * front.distance(from), expected, rounding);
+              round_off_tolerance);
+    EXPECT_NEAR(surface.scale() * front.distance(from), expected, round_off_tolerance);
     const auto geodesic = path(t, front, sources, from);
     expect_path_on_surface(t, geodesic, from, to);
-    EXPECT_NEAR(surface.scale() * internal::path_length(t, geodesic), expected, rounding);
+    EXPECT_NEAR(surface.scale() * internal::path_length(t, geodesic), expected,
+                round_off_tolerance);
   }
   for(const Method method : all_methods)
     for(Index source = 0; source < surface.size(); ++source)
@@ -54,10 +55,11 @@ TEST(Two_triangles, are_unfolded_across_shared_edge)
   for(const Method method : {Method::fast_marching, Method::euclidean_front})
   {
     const auto d = distances(surface, method, {surface.source(2)});
-    EXPECT_NEAR(d[0], std::hypot(0.5, 1.), rounding) << method;
-    EXPECT_NEAR(d[1], std::hypot(0.5, 1.), rounding) << method;
+    EXPECT_NEAR(d[0], std::hypot(0.5, 1.), round_off_tolerance) << method;
+    EXPECT_NEAR(d[1], std::hypot(0.5, 1.), round_off_tolerance) << method;
     // A first-order front assumes that all points of the shared edge are as far as its ends.
-    EXPECT_NEAR(d[3], method == Method::euclidean_front ? 2. : std::hypot(0.5, 1.) + 1., rounding)
+    EXPECT_NEAR(d[3], method == Method::euclidean_front ? 2. : std::hypot(0.5, 1.) + 1.,
+                round_off_tolerance)
         << method;
   }
 }

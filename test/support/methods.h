@@ -37,7 +37,7 @@ inline std::ostream& operator<<(std::ostream& out, Method method)
 // decreases are ignored, which adds up along some tens of vertices in these tests.
 constexpr double front_tolerance = 1e-7;
 // Round-off errors of sums of some hundred lengths.
-constexpr double rounding = 1e-12;
+constexpr double round_off_tolerance = 1e-12;
 
 inline internal::Front_kind kind_of(Method method)
 {
