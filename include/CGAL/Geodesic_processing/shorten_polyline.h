@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_SHORTEN_POLYLINE_H
 
 #include <CGAL/Geodesic_processing/internal/adaptors/path_options.h>
+#include <CGAL/Geodesic_processing/surfel_variants.h>
 
 #include <CGAL/number_utils.h>
 
