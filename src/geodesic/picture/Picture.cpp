@@ -82,6 +82,13 @@ public:
     return result;
   }
 
+  std::vector<std::vector<Point>> operator()(std::vector<std::vector<Point>> polylines) const
+  {
+    for(std::vector<Point>& polyline : polylines)
+      polyline = (*this)(polyline);
+    return polylines;
+  }
+
 private:
   Point m_center = {0., 0., 0.};
   double m_size = 0.;
@@ -100,23 +107,154 @@ std::vector<std::vector<Point>> unique_edges(const std::vector<Point>& points,
   return result;
 }
 
-View set_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
-                const std::vector<Point>& visible_points, const std::vector<Point>& normals,
-                bool has_color_bar)
+// Returns the range of the color bar, or an empty range if the picture has none.
+Value_range color_bar_range(const Picture& picture)
 {
-  // The color bar occupies a strip on the right.
-  const double free_fraction = has_color_bar ? 0.86 : 1.;
-  const View view = choose_view(samples, visible_points, free_fraction * width / height, normals);
-  const Point position = view.center + view.distance * view.back;
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  camera->SetFocalPoint(view.center.data());
-  camera->SetPosition(position.data());
-  camera->SetViewUp(view.up.data());
-  camera->SetViewAngle(view_angle);
-  camera->SetWindowCenter(has_color_bar ? 1. - free_fraction : 0., 0.);
-  renderer->ResetCameraClippingRange();
-  return view;
+  Value_range range = picture.labels.empty() ? finite_range(picture.values) : Value_range();
+  // A range with a small positive minimum starts at zero, because distances start at zero even if
+  // no vertex is a source.
+  if(range.low > 0. && range.low < 0.2 * range.high)
+    range.low = 0.;
+  return range;
 }
+
+// Returns the color of each point.
+std::vector<Color> point_colors(const Picture& picture, const Value_range& range)
+{
+  std::vector<Color> colors = picture.colors;
+  if(!picture.labels.empty())
+  {
+    colors.resize(picture.labels.size());
+    std::transform(picture.labels.begin(), picture.labels.end(), colors.begin(), color_of_label);
+  }
+  else if(!picture.values.empty())
+    colors = colors_of(picture.values, range.low, range.high);
+  else if(colors.empty())
+    colors.resize(picture.surface->points.size(), default_color);
+  return colors;
+}
+
+// A renderer with the actors, the lights and the camera of a picture
+class Scene
+{
+public:
+  explicit Scene(const Picture& picture)
+      : m_picture(picture), m_to_unit_box(picture.surface->points),
+        m_points(m_to_unit_box(picture.surface->points)), m_markers(m_to_unit_box(picture.markers)),
+        m_polylines(m_to_unit_box(picture.polylines)), m_range(color_bar_range(picture))
+  {
+    m_renderer->SetBackground(1., 1., 1.);
+    add_surface();
+    add_lines();
+    add_markers();
+    if(!m_range.empty())
+      add_color_bar(m_renderer, m_range, picture.title);
+    set_camera();
+    add_lights();
+  }
+
+  vtkRenderer* renderer() const { return m_renderer; }
+
+private:
+  bool is_mesh() const { return m_picture.surface->number_of_polygons() > 0; }
+  bool has_regions() const { return !m_picture.labels.empty(); }
+  // The triangles that carry isolines and boundaries of regions
+  const std::vector<std::uint32_t>& triangles() const
+  {
+    return is_mesh() ? m_picture.surface->corners : m_picture.triangles;
+  }
+
+  // Adds the surface with its isolines or the boundaries of its regions.
+  void add_surface()
+  {
+    const std::vector<Color> colors = point_colors(m_picture, m_range);
+    if(!is_mesh())
+      add_mesh(m_renderer, make_splats(m_points, m_picture.surface->normals, colors));
+    if(has_regions())
+    {
+      const Label_regions regions(m_points, triangles(), m_picture.labels);
+      if(is_mesh())
+        add_mesh(m_renderer, regions.mesh());
+      m_surface_lines = add_tubes(m_renderer, regions.boundaries(), thin_radius, line_color);
+      return;
+    }
+    if(m_picture.texture != nullptr)
+      add_textured_mesh(m_renderer, m_points, *m_picture.surface, *m_picture.texture);
+    else if(is_mesh())
+      add_mesh(m_renderer, {m_points, {}, triangles(), colors},
+               m_picture.is_transparent ? 0.25 : 1.);
+    if(!m_range.empty() && m_picture.show_isolines)
+      m_surface_lines = add_isolines(m_renderer, m_points, triangles(), m_picture.values, m_range);
+  }
+
+  void add_lines()
+  {
+    if(m_picture.show_edges)
+      add_tubes(m_renderer, unique_edges(m_points, triangles()), thin_radius, line_color);
+    add_tubes(m_renderer, m_to_unit_box(m_picture.thin_polylines), thin_radius, line_color);
+    add_tubes(m_renderer, m_polylines, thick_radius, marker_color);
+  }
+
+  void add_markers()
+  {
+    for(const Point& marker : m_markers)
+      add_sphere(m_renderer, marker, has_regions() ? 0.6 * marker_radius : marker_radius,
+                 has_regions() ? line_color : marker_color);
+  }
+
+  // Returns the points that the camera should show.
+  std::vector<Point> visible_points() const
+  {
+    std::vector<Point> result = m_to_unit_box(m_picture.visible_points);
+    if(!has_regions())
+      result.insert(result.end(), m_markers.begin(), m_markers.end());
+    for(const std::vector<Point>& polyline : m_polylines)
+      for(std::size_t i = 0; i < polyline.size(); i += polyline.size() / 200 + 1)
+        result.push_back(polyline[i]);
+    return result;
+  }
+
+  void set_camera()
+  {
+    // The color bar occupies a strip on the right.
+    const double free_fraction = m_range.empty() ? 1. : 0.86;
+    const View view =
+        choose_view(sample_points(m_points, m_picture.surface->corners), visible_points(),
+                    free_fraction * width / height, m_picture.normals);
+    const Point position = view.center + view.distance * view.back;
+    vtkCamera* const camera = m_renderer->GetActiveCamera();
+    camera->SetFocalPoint(view.center.data());
+    camera->SetPosition(position.data());
+    camera->SetViewUp(view.up.data());
+    camera->SetViewAngle(view_angle);
+    camera->SetWindowCenter(m_range.empty() ? 0. : 1. - free_fraction, 0.);
+    m_renderer->ResetCameraClippingRange();
+    // Splats extend beyond the triangles that carry a cloud's lines, so the lines are moved to the
+    // front.
+    if(!is_mesh() && m_surface_lines != nullptr)
+    {
+      const Point shift = 0.012 * view.back;
+      m_surface_lines->SetPosition(shift[0], shift[1], shift[2]);
+    }
+  }
+
+  void add_lights()
+  {
+    vtkNew<vtkLightKit> lights;
+    lights->SetKeyLightIntensity(0.85);
+    lights->SetKeyToFillRatio(2.2);
+    lights->SetKeyToHeadRatio(3.);
+    lights->AddLightsToRenderer(m_renderer);
+  }
+
+  const Picture& m_picture;
+  Unit_box_transform m_to_unit_box;
+  std::vector<Point> m_points, m_markers;      // in the unit box
+  std::vector<std::vector<Point>> m_polylines; // likewise
+  Value_range m_range;
+  vtkNew<vtkRenderer> m_renderer;
+  vtkActor* m_surface_lines = nullptr; // isolines or boundaries of regions
+};
 
 void write_png(vtkRenderWindow* window, const std::string& filename)
 {
@@ -138,98 +276,19 @@ void draw(const std::string& filename, const Picture& picture)
 {
   // VTK's warnings would be mixed with the program's own messages on standard error.
   vtkObject::GlobalWarningDisplayOff();
-  const Surface_file& surface = *picture.surface;
-  const bool is_mesh = surface.number_of_polygons() > 0;
-  const Unit_box_transform to_unit_box(surface.points);
-  const std::vector<Point> points = to_unit_box(surface.points),
-                           markers = to_unit_box(picture.markers);
-  const auto to_unit_boxes = [&](std::vector<std::vector<Point>> result)
-  {
-    for(std::vector<Point>& polyline : result)
-      polyline = to_unit_box(polyline);
-    return result;
-  };
-  const std::vector<std::vector<Point>> polylines = to_unit_boxes(picture.polylines);
-  Value_range range = picture.labels.empty() ? finite_range(picture.values) : Value_range();
-  // A range with a small positive minimum starts at zero, because distances start at zero even if
-  // no vertex is a source.
-  if(range.low > 0. && range.low < 0.2 * range.high)
-    range.low = 0.;
-
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1., 1., 1.);
-  std::vector<Color> colors =
-      picture.colors.empty() ? std::vector<Color>(points.size(), default_color) : picture.colors;
-  if(!picture.labels.empty())
-    std::transform(picture.labels.begin(), picture.labels.end(), colors.begin(), color_of_label);
-  else if(!picture.values.empty())
-    colors = colors_of(picture.values, range.low, range.high);
-
-  const std::vector<std::uint32_t>& triangles = is_mesh ? surface.corners : picture.triangles;
-  vtkActor* lines = nullptr;
-  if(!is_mesh)
-    add_mesh(renderer, make_splats(points, surface.normals, colors));
-  if(!picture.labels.empty())
-  {
-    const Label_regions regions(points, triangles, picture.labels);
-    if(is_mesh)
-      add_mesh(renderer, regions.mesh());
-    lines = add_tubes(renderer, regions.boundaries(), thin_radius, line_color);
-  }
-  else
-  {
-    if(picture.texture != nullptr)
-      add_textured_mesh(renderer, points, surface, *picture.texture);
-    else if(is_mesh)
-      add_mesh(renderer, {points, {}, triangles, colors}, picture.is_transparent ? 0.25 : 1.);
-    if(!range.empty() && picture.show_isolines)
-      lines = add_isolines(renderer, points, triangles, picture.values, range);
-  }
-  if(picture.show_edges)
-    add_tubes(renderer, unique_edges(points, triangles), thin_radius, line_color);
-  add_tubes(renderer, to_unit_boxes(picture.thin_polylines), thin_radius, line_color);
-  add_tubes(renderer, polylines, thick_radius, marker_color);
-  const bool has_regions = !picture.labels.empty();
-  for(const Point& marker : markers)
-    add_sphere(renderer, marker, has_regions ? 0.6 * marker_radius : marker_radius,
-               has_regions ? line_color : marker_color);
-  if(!range.empty())
-    add_color_bar(renderer, range, picture.title);
-
-  std::vector<Point> visible_points = to_unit_box(picture.visible_points);
-  if(!has_regions)
-    visible_points.insert(visible_points.end(), markers.begin(), markers.end());
-  for(const std::vector<Point>& polyline : polylines)
-    for(std::size_t i = 0; i < polyline.size(); i += polyline.size() / 200 + 1)
-      visible_points.push_back(polyline[i]);
-  const View view = set_camera(renderer, sample_points(points, surface.corners), visible_points,
-                               picture.normals, !range.empty());
-  // Splats extend beyond the triangles that carry a cloud's lines, so the lines are moved to the
-  // front.
-  if(!is_mesh && lines != nullptr)
-  {
-    const Point shift = 0.012 * view.back;
-    lines->SetPosition(shift[0], shift[1], shift[2]);
-  }
-
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(0.85);
-  lights->SetKeyToFillRatio(2.2);
-  lights->SetKeyToHeadRatio(3.);
-  lights->AddLightsToRenderer(renderer);
-
+  const Scene scene(picture);
   vtkNew<vtkRenderWindow> window;
   window->OffScreenRenderingOn();
   window->SetMultiSamples(picture.is_transparent ? 0 : 8);
   if(picture.is_transparent)
   {
     window->AlphaBitPlanesOn();
-    renderer->UseDepthPeelingOn();
-    renderer->SetMaximumNumberOfPeels(12);
-    renderer->UseFXAAOn();
+    scene.renderer()->UseDepthPeelingOn();
+    scene.renderer()->SetMaximumNumberOfPeels(12);
+    scene.renderer()->UseFXAAOn();
   }
   window->SetSize(width, height);
-  window->AddRenderer(renderer);
+  window->AddRenderer(scene.renderer());
   window->Render();
   write_png(window, filename);
 }
