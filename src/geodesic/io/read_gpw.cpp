@@ -35,7 +35,7 @@ Surface_file read_gpw(std::string_view bytes, const std::string& name)
     throw Input_error(name + ": " + error.what());
   }
   if(decoding.signal.channels != 3)
-    throw Input_error(name + ": The stream of wavelets has no places of vertices.");
+    throw Input_error(name + ": The wavelet stream does not contain vertex positions.");
   const std::vector<double> values = internal::decoded_values(decoding);
   Surface_file result;
   for(std::size_t i = 0; i < values.size(); i += 3)

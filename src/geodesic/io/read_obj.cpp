@@ -116,7 +116,7 @@ private:
     const long long index = m_scanner.parse_integer(word.substr(0, word.find('/')));
     const auto count = static_cast<long long>(m_surface.points.size());
     if(index == 0 || index < -count)
-      m_scanner.fail("a face names vertex " + std::to_string(index));
+      m_scanner.fail("a face has the invalid vertex index " + std::to_string(index));
     append_corner(m_surface, static_cast<double>(index > 0 ? index - 1 : count + index));
     m_corner_texture_index.push_back(texture_index(word, m_texture_coordinates.size()));
   }

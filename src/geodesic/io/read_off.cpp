@@ -31,7 +31,8 @@ Variant parse_variant(std::string_view keyword, const Scanner& scanner)
   variant.normals = take("N");
   variant.homogeneous = take("4");
   if(take("nOFF"))
-    scanner.fail("only three dimensions are read, not the " + printable(keyword) + " kind");
+    scanner.fail("the variant '" + printable(keyword) +
+                 "' is not supported, only three dimensions are");
   if(rest != "OFF")
     scanner.fail("it is not an OFF file, it begins with '" + printable(keyword) + "'");
   return variant;
@@ -53,8 +54,8 @@ Counts read_counts(std::string_view word, Scanner& scanner, std::size_t file_siz
   // A vertex needs at least six characters, a face two.
   if(static_cast<double>(vertices) * 6. + static_cast<double>(faces) * 2. >
      static_cast<double>(file_size) + 1.)
-    scanner.fail("it promises " + std::to_string(vertices) + " vertices and " +
-                 std::to_string(faces) + " faces, more than the file holds");
+    scanner.fail("it declares " + std::to_string(vertices) + " vertices and " +
+                 std::to_string(faces) + " faces, but the file is too short for them");
   return {vertices, faces};
 }
 
@@ -66,7 +67,7 @@ void read_vertex(Scanner& scanner, const Variant& variant, std::size_t i, Surfac
   {
     const double w = scanner.parse_coordinate(scanner.word());
     if(w == 0.)
-      scanner.fail("a vertex lies at infinity");
+      scanner.fail("the homogeneous coordinate of a vertex is zero");
     for(double& x : surface.points[i])
       x /= w;
   }
@@ -84,8 +85,8 @@ void read_face(Scanner& scanner, long long number_of_vertices, Surface_file& sur
   {
     const long long index = scanner.parse_integer(scanner.word());
     if(index < 0 || index >= number_of_vertices)
-      scanner.fail("a face names vertex " + std::to_string(index) + ", but there are " +
-                   std::to_string(number_of_vertices));
+      scanner.fail("a face refers to vertex " + std::to_string(index) +
+                   ", but the number of vertices is " + std::to_string(number_of_vertices));
     append_corner(surface, static_cast<double>(index));
   }
   end_polygon(surface);
@@ -101,7 +102,7 @@ Surface_file read_off(std::string_view bytes, const std::string& name)
   const Variant variant = parse_variant(scanner.word(), scanner);
   const std::string_view word = scanner.next_word();
   if(word == "BINARY")
-    fail(name, "it is a binary OFF file, only text is read");
+    fail(name, "binary OFF files are not supported");
   const Counts counts = read_counts(word, scanner, bytes.size());
 
   const auto next_line = [&](long long i, long long count, const char* kind)

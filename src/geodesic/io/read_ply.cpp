@@ -65,14 +65,14 @@ public:
     {
       const std::size_t end = m_bytes.find('\n', position);
       if(end == std::string_view::npos)
-        program::fail(m_name, "its header has no end");
+        program::fail(m_name, "its header does not end with 'end_header'");
       Scanner line(m_bytes.substr(position, end - position), m_name, 0);
       position = end + 1;
       if(line.next_line())
         read_line(line, position);
     }
     if(!m_has_format)
-      program::fail(m_name, "its header names no format");
+      program::fail(m_name, "its header has no format");
     return std::move(m_header);
   }
 
@@ -100,7 +100,7 @@ private:
     else if(word == "end_header")
       m_header.size = line_end;
     else if(word != "comment" && word != "obj_info")
-      fail("'" + printable(word) + "' does not belong in a header");
+      fail("'" + printable(word) + "' is not a keyword of the header");
   }
 
   void read_format(Scanner& line)
@@ -129,14 +129,14 @@ private:
   void read_property(Scanner& line)
   {
     if(m_header.elements.empty())
-      fail("a property stands before any element");
+      fail("a property precedes the first element");
     Property property;
     std::string_view type = line.word();
     if(type == "list")
     {
       property.count = parse_type(line.word());
       if(!property.count || property.count->kind == 'f')
-        fail("the counts of a list are integers");
+        fail("the length of a list must have an integer type");
       type = line.word();
     }
     const std::optional<Number_type> value = parse_type(type);
@@ -175,8 +175,8 @@ public:
                                                 : static_cast<double>(property.type.size);
     const double available = static_cast<double>(m_bytes.size()) + 1.;
     if(min_size * static_cast<double>(element.count) > available)
-      fail(m_name, "its header promises " + std::to_string(element.count) + " of '" +
-                       printable(element.name) + "', more than the file holds");
+      fail(m_name, "its header declares " + std::to_string(element.count) + " elements '" +
+                       printable(element.name) + "', but the file is too short for them");
   }
 
   double value(Number_type type)
@@ -184,7 +184,7 @@ public:
     if(m_encoding == Encoding::ascii)
       return text_value();
     if(m_bytes.size() < type.size)
-      fail(m_name, "it ends too early");
+      fail(m_name, "it ends unexpectedly");
     const std::uint64_t bits = bits_at(m_bytes, type.size, m_encoding == Encoding::big_endian);
     m_bytes.remove_prefix(type.size);
     return to_value(bits, type);
@@ -196,7 +196,7 @@ public:
     const double min_size =
         m_encoding == Encoding::ascii ? 1. : static_cast<double>(property.type.size);
     if(!(count >= 0. && std::floor(count) == count))
-      fail(m_name, "the length of a list is not a natural number");
+      fail(m_name, "the length of a list is not a nonnegative integer");
     if(count * min_size > static_cast<double>(m_bytes.size()))
       fail(m_name, "a list is longer than the file");
     values.resize(static_cast<std::size_t>(count));
@@ -209,7 +209,7 @@ private:
   {
     const std::string_view word = m_text.next_word();
     if(word.empty())
-      fail(m_name, "it ends too early");
+      fail(m_name, "it ends unexpectedly");
     const std::optional<double> number = to_number(word);
     if(!number)
       fail(m_name, "'" + printable(word) + "' is not a number");
@@ -262,7 +262,7 @@ Vertex_properties prepare_vertices(const Element& element, const std::string& na
     }
   }
   if(!is_present[0] || !is_present[1] || !is_present[2])
-    fail(name, "its vertices have no x, y and z");
+    fail(name, "its vertices do not have the properties x, y and z");
   if(is_present[3] && is_present[4] && is_present[5])
     surface.normals.resize(element.count);
   return result;
@@ -354,7 +354,7 @@ Surface_file read_ply(std::string_view bytes, const std::string& name)
       continue;
     body.expect(element);
     if(element.name == "vertex" && std::exchange(has_vertices, true))
-      fail(name, "it has two elements 'vertex'");
+      fail(name, "the element 'vertex' is declared twice");
     if(element.name == "vertex")
       read_vertices(body, element, name, surface);
     else if(element.name == "edge")

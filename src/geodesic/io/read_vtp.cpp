@@ -49,7 +49,7 @@ public:
       const bool is_comment = m_rest.substr(0, 4) == "<!--";
       const std::size_t end = m_rest.find(is_comment ? "-->" : ">");
       if(end == std::string_view::npos)
-        fail(m_name, "a tag has no end");
+        fail(m_name, "a tag has no closing '>'");
       const std::string_view content = m_rest.substr(1, end - 1);
       m_rest.remove_prefix(end + (is_comment ? 3 : 1));
       if(!is_comment && !content.empty() && content[0] != '?' && content[0] != '!')
@@ -83,7 +83,7 @@ private:
       const std::size_t close =
           quote == '"' || quote == '\'' ? content.find(quote, 1) : std::string_view::npos;
       if(close == std::string_view::npos)
-        fail(m_name, "an attribute has no quotes");
+        fail(m_name, "the value of an attribute is not quoted");
       result.attributes[key] = content.substr(1, close - 1);
       content.remove_prefix(close + 1);
     }
@@ -138,11 +138,11 @@ std::string_view read_block(std::string_view bytes, const Storage& storage, cons
   if(bytes.empty())
     return {};
   if(bytes.size() < storage.header_size)
-    fail(name, "a data array ends too early");
+    fail(name, "a data array is truncated");
   const std::uint64_t length = bits_at(bytes, storage.header_size, storage.big_endian);
   bytes.remove_prefix(storage.header_size);
   if(length > bytes.size())
-    fail(name, "a data array ends too early");
+    fail(name, "a data array is truncated");
   return bytes.substr(0, static_cast<std::size_t>(length));
 }
 
@@ -153,7 +153,7 @@ std::vector<double> numbers_in_base64(std::string_view text, std::string_view ty
 {
   const std::optional<std::string> bytes = from_base64(text);
   if(!bytes)
-    fail(name, "a data array is not base64");
+    fail(name, "a data array is not valid base64");
   return decode_numbers(read_block(*bytes, storage, name), type, storage, name);
 }
 
@@ -176,7 +176,7 @@ std::vector<double> appended_numbers(const Tag& tag, const Storage& storage,
 {
   const std::optional<long long> offset = to_integer(tag["offset"]);
   if(!offset || *offset < 0 || static_cast<std::size_t>(*offset) > storage.appended.size())
-    fail(name, "a data array has no offset within the file");
+    fail(name, "the offset of a data array is missing or out of range");
   const std::string_view bytes = storage.appended.substr(static_cast<std::size_t>(*offset));
   if(storage.is_appended_raw)
     return decode_numbers(read_block(bytes, storage, name), tag["type"], storage, name);
@@ -184,10 +184,10 @@ std::vector<double> appended_numbers(const Tag& tag, const Storage& storage,
   const std::size_t digits = (storage.header_size + 2) / 3 * 4;
   const std::optional<std::string> header = from_base64(bytes.substr(0, digits));
   if(!header || header->size() < storage.header_size)
-    fail(name, "a data array is not base64");
+    fail(name, "a data array is not valid base64");
   const std::uint64_t length = bits_at(*header, storage.header_size, storage.big_endian);
   if(length > bytes.size())
-    fail(name, "a data array ends too early");
+    fail(name, "a data array is truncated");
   const std::size_t encoded_length =
       (static_cast<std::size_t>(length) + storage.header_size + 2) / 3 * 4;
   return numbers_in_base64(bytes.substr(0, encoded_length), tag["type"], storage, name);
@@ -213,7 +213,7 @@ const std::vector<double>& require_array(const Arrays& arrays, const std::string
 {
   const auto found = arrays.find(key);
   if(found == arrays.end())
-    fail(name, "its cells have no '" + key + "'");
+    fail(name, "its cells have no data array '" + key + "'");
   return found->second;
 }
 
@@ -227,7 +227,7 @@ void append_cells(Surface_file& surface, const Arrays& arrays, bool are_strips,
   for(const double offset : require_array(arrays, "offsets", name))
   {
     if(!(offset >= static_cast<double>(begin) && offset <= static_cast<double>(corners.size())))
-      fail(name, "the offsets of its cells do not fit");
+      fail(name, "the offsets of its cells are not sorted or out of range");
     const auto end = static_cast<std::size_t>(offset);
     const std::vector<double> cell(corners.begin() + static_cast<std::ptrdiff_t>(begin),
                                    corners.begin() + static_cast<std::ptrdiff_t>(end));
@@ -298,7 +298,7 @@ private:
     if(tag.name == "VTKFile")
       read_file_attributes(tag);
     else if(tag.name == "Piece" && ++m_number_of_pieces > 1)
-      fail(m_name, "it has several pieces, only one is read");
+      fail(m_name, "it has several pieces, only one is supported");
     else if(is_section(tag.name))
       m_section = tag.is_self_closing ? "" : std::string(tag.name);
     else if(tag.name == "/" + m_section)
@@ -314,7 +314,7 @@ private:
     m_storage.big_endian = tag["byte_order"] == "BigEndian";
     m_storage.header_size = tag["header_type"] == "UInt64" ? 8 : 4;
     if(!tag["compressor"].empty())
-      fail(m_name, "it is a compressed VTP file, only uncompressed ones are read");
+      fail(m_name, "compressed VTP files are not supported");
   }
 
   void read_data_array(const Tag& tag)
@@ -341,17 +341,18 @@ private:
   void set_points(const std::vector<double>& numbers)
   {
     if(numbers.size() % 3 != 0)
-      fail(m_name, "its points have not three coordinates each");
+      fail(m_name, "its points do not have three coordinates each");
     m_surface.points = to_points(numbers);
   }
 
   void check_sizes() const
   {
     if(!m_surface.normals.empty() && m_surface.normals.size() != m_surface.points.size())
-      fail(m_name, "it has not as many normals as points");
+      fail(m_name, "the number of normals differs from the number of points");
     for(const auto& [key, values] : m_surface.properties)
       if(values.size() != m_surface.points.size())
-        fail(m_name, "it has not as many values of '" + printable(key) + "' as points");
+        fail(m_name,
+             "the number of values of '" + printable(key) + "' differs from the number of points");
   }
 
   Xml m_xml;

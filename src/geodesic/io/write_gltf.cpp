@@ -107,7 +107,7 @@ Vertex_arrays make_vertex_arrays(const std::string& filename, const Surface_file
     {
       const double coordinate = surface.points[point][k];
       if(!(std::abs(coordinate) <= double((std::numeric_limits<float>::max)())))
-        throw Output_error(filename + ": a coordinate is too large for the format.");
+        throw Output_error(filename + ": a coordinate exceeds the range of single precision.");
       result.bounds[0][k] = std::min(result.bounds[0][k], float(coordinate));
       result.bounds[1][k] = std::max(result.bounds[1][k], float(coordinate));
       append_float(result.positions, coordinate);
@@ -214,7 +214,7 @@ std::string to_glb(const std::string& filename, const Surface_file& surface, con
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const std::uint64_t size = 12 + 8 + text.size() + 8 + gltf.buffer.size();
   if(size > (std::numeric_limits<std::uint32_t>::max)())
-    throw Output_error(filename + ": it would be larger than the format allows.");
+    throw Output_error(filename + ": it would exceed the maximum size of the format, 4 GiB.");
   std::string bytes = "glTF";
   append_little_endian(bytes, std::uint32_t(2));
   append_little_endian(bytes, std::uint32_t(size));

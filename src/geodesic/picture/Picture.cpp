@@ -10,7 +10,8 @@ namespace program {
 
 void draw(const std::string& filename, const Picture&)
 {
-  throw Usage_error("--picture " + filename + ": this program was built without VTK.");
+  throw Usage_error("--picture " + filename +
+                    ": pictures are not supported, because this program was built without VTK.");
 }
 
 } // namespace program

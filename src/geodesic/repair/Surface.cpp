@@ -24,10 +24,10 @@ Surface repair(Surface_file file, const std::string& filename, unsigned threads)
   }
   surface.is_repaired = triangulate(surface.file, filename);
   if(!surface.is_mesh())
-    fail(filename, "none of its faces has three different corners");
+    fail(filename, "all of its faces are degenerate");
   // Halfedge indices have 32 bits.
   if(surface.file.corners.size() >= (std::size_t{1} << 31))
-    fail(filename, "it has more than 2^31 half-edges");
+    fail(filename, "it has more than 2^31 halfedges");
   surface.connectivity = orient(surface.file);
   surface.is_repaired = surface.is_repaired || surface.connectivity.number_of_flipped_faces > 0 ||
                         surface.connectivity.number_of_cut_edges > 0;
