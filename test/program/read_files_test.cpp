@@ -70,8 +70,9 @@ TEST(Read_off, reports_errors)
   expect_error(read, "OFF BINARY\n1 0 0\n", "binary");
   expect_error(read, "GIF89a\n", "not an OFF file");
   expect_error(read, "nOFF\n4\n1 0 0\n", "three dimensions");
-  expect_error(read, "OFF\n1000000000000 0 0\n0 0 0\n", "more than the file");
-  expect_error(read, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "vertex 3, but there are 3");
+  expect_error(read, "OFF\n1000000000000 0 0\n0 0 0\n", "file is too short");
+  expect_error(read, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
+               "vertex 3, but the number of vertices is 3");
   expect_error(read, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "vertex -1");
   expect_error(read, "OFF\n1 0 0\n0 nan 0\n", "line 3: the coordinate 'nan'");
   expect_error(read, "OFF\n1 0 0\n0 1e999 0\n", "not finite");
@@ -161,7 +162,7 @@ TEST(Read_ply, reads_edges)
                      "element edge 1\nproperty int vertex1\n"
                      "property int vertex2\nend_header\n" +
                      body + "0 " + end + '\n',
-                 "an edge names vertex");
+                 "an edge refers to vertex");
 }
 
 TEST(Read_ply, reports_errors)
@@ -169,17 +170,17 @@ TEST(Read_ply, reports_errors)
   const Reader read = program::read_ply;
   const std::string binary = "ply\nformat binary_little_endian 1.0\n";
   expect_error(read, "plyer\n", "not a PLY file");
-  expect_error(read, ply_header, "header has no end");
+  expect_error(read, ply_header, "does not end with 'end_header'");
   expect_error(read, "ply\nend_header\n", "no format");
   expect_error(read, "ply\nformat ascii 1.0\nend_header\n", "no points");
-  expect_error(read, ply_header + "end_header\n0 0 0\n", "more than the file");
-  expect_error(read, ply_header + "end_header\n0.000 0 0 1 1 1 22 nan\n", "it ends too early");
+  expect_error(read, ply_header + "end_header\n0 0 0\n", "file is too short");
+  expect_error(read, ply_header + "end_header\n0.000 0 0 1 1 1 22 nan\n", "it ends unexpectedly");
   expect_error(read, ply_header + "end_header\n0 0 0 1 1 1 2 nan 2\n", "not finite");
   expect_error(read, ply_header + "end_header\n0 0 0 1 1 1 2 two 2\n", "'two' is not a number");
   expect_error(read,
                binary + "element vertex 99999999999\nproperty float x\n"
                         "property float y\nproperty float z\nend_header\n",
-               "more than the file");
+               "file is too short");
   expect_error(read,
                binary + "element face 1\nproperty list int int vertex_indices\n"
                         "end_header\n\xff\xff\xff\x7f",
@@ -187,11 +188,11 @@ TEST(Read_ply, reports_errors)
   expect_error(read,
                binary + "element vertex 1\nproperty float x\nproperty list float "
                         "int y\nend_header\n",
-               "counts of a list");
+               "length of a list");
   expect_error(read,
                ply_header + "element face 1\nproperty list uchar int vertex_indices\n"
                             "end_header\n0 0 0 1 0 0 0 1 0 3 0 1 9\n",
-               "vertex 9, but there are only 3");
+               "vertex 9, but the number of vertices is 3");
 }
 
 TEST(Read_obj, reads_slashes_negative_indices_and_polygons)
@@ -239,7 +240,7 @@ TEST(Read_obj, reads_vertex_colors)
 
 TEST(Read_obj, reports_errors)
 {
-  expect_error(program::read_obj, "v 0 0 0\nf 1 2 3\n", "there are only 1");
+  expect_error(program::read_obj, "v 0 0 0\nf 1 2 3\n", "number of vertices is 1");
   expect_error(program::read_obj, "v 0 0 0\nf 0 0 0\n", "line 2");
   expect_error(program::read_obj, "v 0 0 0\nf -2 1 1\n", "line 2");
   expect_error(program::read_obj, "v 0 0\n", "a number is missing");
@@ -282,9 +283,9 @@ TEST(Read_xyz, accepts_separators_and_extra_columns)
 TEST(Read_xyz, reports_errors)
 {
   expect_error(program::read_xyz, "0 0 0\n1 0 0 1\n",
-               "line 2: it has 4 numbers, the lines before 3");
+               "line 2: it has 4 numbers, but the previous lines have 3");
   expect_error(program::read_xyz, "0 0\n", "three coordinates");
-  expect_error(program::read_xyz, "3\n0 0 0\n", "another number of points");
+  expect_error(program::read_xyz, "3\n0 0 0\n", "differs from the number of points");
   expect_error(program::read_xyz, "0 0 x\n", "'x' is not a number");
 }
 
@@ -321,11 +322,11 @@ TEST(Read_vtp, reports_errors)
   expect_error(read,
                "<VTKFile type=\"PolyData\"><Points><DataArray type=\"Float32\" "
                "format=\"binary\">AQAAAA==?</DataArray>",
-               "not base64");
+               "not valid base64");
   expect_error(read,
                "<VTKFile type=\"PolyData\"><Points><DataArray type=\"Float32\" "
                "format=\"binary\">/////w==</DataArray>",
-               "ends too early");
+               "is truncated");
 }
 
 TEST(Read_surface_file, error_names_file_and_reason)
@@ -347,7 +348,7 @@ TEST(Read_surface_file, error_names_file_and_reason)
                       error_of(folder + "nowhere.ply"));
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "not a regular file", error_of(folder));
   std::ofstream(folder + "read_surface_file.doc") << "x";
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "does not end with",
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "extension must be",
                       error_of(folder + "read_surface_file.doc"));
   std::ofstream(folder + "read_surface_file.off").close();
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "it is empty",

@@ -90,8 +90,8 @@ Image read_image(const std::string& filename)
   constexpr std::size_t max_number_of_pixels = std::size_t{1} << 25; // less than a gigabyte
   const std::string bytes = read_bytes(filename);
   if(file_extension(filename) != "png")
-    fail(filename, "the name of an image ends with .png");
-  const std::string error_message = "it cannot be read as an image";
+    fail(filename, "the extension of an image must be .png");
+  const std::string error_message = "it is not a valid PNG image";
   struct Png_reader : png_image
   {
     Png_reader() : png_image() { version = PNG_IMAGE_VERSION; }
@@ -145,7 +145,7 @@ std::string to_png(const std::string& filename, const Image& image)
     bytes.resize(size);
   if(bytes.empty() ||
      png_image_write_to_memory(&png, bytes.data(), &size, 0, values.data(), 0, nullptr) == 0)
-    throw Output_error(filename + ": it cannot be written as an image.");
+    throw Output_error(filename + ": the image cannot be encoded as PNG.");
   bytes.resize(size);
   return bytes;
 }
@@ -160,7 +160,7 @@ void write_image(const std::string& filename, const Image& image)
 void check_png_support(const std::string& filename)
 {
   throw Usage_error(filename +
-                    ": this program was built without libpng, which reads and writes images.");
+                    ": images are not supported, because this program was built without libpng.");
 }
 
 Image read_image(const std::string& filename)

@@ -22,7 +22,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& filename, int error)
 {
-  throw Output_error(filename + ": it cannot be written, " + std::strerror(error) + ".");
+  throw Output_error(filename + ": it cannot be written: " + std::strerror(error) + ".");
 }
 
 // A file descriptor. The destructor closes the file and deletes a temporary file that was not
@@ -138,8 +138,8 @@ void check_directory(const std::string& filename)
   const fs::path directory = fs::path(filename).parent_path();
   std::error_code ignored;
   if(!directory.empty() && !fs::is_directory(directory, ignored))
-    throw Output_error(filename + ": it cannot be written, there is no folder " +
-                       directory.string() + ".");
+    throw Output_error(filename + ": it cannot be written, the directory " + directory.string() +
+                       " does not exist.");
 }
 
 void append_number(std::string& text, double value)

@@ -54,7 +54,7 @@ Surface_file read_surface_file(const std::string& filename)
   const std::string bytes = read_bytes(filename);
   const auto reader = readers.find(file_extension(filename));
   if(reader == readers.end())
-    fail(filename, "its name does not end with .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or .gpw");
+    fail(filename, "the extension must be .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or .gpw");
   if(bytes.empty())
     fail(filename, "it is empty");
   return reader->second(bytes, filename);
@@ -72,13 +72,13 @@ void check(const Surface_file& surface, const std::string& name)
         fail(name, "a coordinate of point " + std::to_string(i) + " is not finite");
   for(const std::uint32_t corner : surface.corners)
     if(corner >= surface.points.size())
-      fail(name, "a face names vertex " + std::to_string(corner) + ", but there are only " +
-                     std::to_string(surface.points.size()));
+      fail(name, "a face refers to vertex " + std::to_string(corner) +
+                     ", but the number of vertices is " + std::to_string(surface.points.size()));
   for(const auto& edge : surface.edges)
     for(const std::uint32_t end : edge)
       if(end >= surface.points.size())
-        fail(name, "an edge names vertex " + std::to_string(end) + ", but there are only " +
-                       std::to_string(surface.points.size()));
+        fail(name, "an edge refers to vertex " + std::to_string(end) +
+                       ", but the number of vertices is " + std::to_string(surface.points.size()));
 }
 
 void check_output_extension(const std::string& filename)
@@ -86,7 +86,7 @@ void check_output_extension(const std::string& filename)
   const std::string extension = file_extension(filename);
   if(extension != "ply" && extension != "off" && extension != "obj" && extension != "vtp")
     throw Usage_error("-o " + filename +
-                      ": the name of a result ends with .ply, .off, .obj or .vtp.");
+                      ": the extension of the output file must be .ply, .off, .obj or .vtp.");
 }
 
 void write_surface_file(const std::string& filename, const Surface_file& surface,

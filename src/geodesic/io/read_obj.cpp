@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace program {
 
@@ -56,68 +57,96 @@ void set_colors(const std::vector<std::array<double, 3>>& colors, Surface_file& 
   }
 }
 
+class Obj_reader
+{
+public:
+  Obj_reader(std::string_view bytes, const std::string& name) : m_scanner(bytes, name, '#') {}
+
+  Surface_file read()
+  {
+    while(m_scanner.next_line())
+    {
+      const std::string_view keyword = m_scanner.word();
+      if(keyword == "v")
+        read_vertex();
+      else if(keyword == "vt")
+        read_texture_coordinates();
+      else if(keyword == "f")
+        read_face();
+    }
+    set_uv();
+    if(!m_colors.empty() && m_colors.size() == m_surface.points.size())
+      set_colors(m_colors, m_surface);
+    return std::move(m_surface);
+  }
+
+private:
+  void read_vertex()
+  {
+    Point& point = m_surface.points.emplace_back();
+    for(double& x : point)
+      x = m_scanner.parse_coordinate(m_scanner.word());
+    if(const auto color = read_color(m_scanner))
+      m_colors.push_back(*color);
+  }
+
+  void read_texture_coordinates()
+  {
+    const std::optional<double> u = to_number(m_scanner.word()), v = to_number(m_scanner.word());
+    m_texture_coordinates.push_back({u.value_or(0.), v.value_or(0.)});
+  }
+
+  void read_face()
+  {
+    for(std::string_view word = m_scanner.word(); !word.empty(); word = m_scanner.word())
+    {
+      // A backslash at the end of a line continues the face on the next line.
+      if(word != "\\")
+        read_corner(word);
+      else if(!m_scanner.next_line())
+        break;
+    }
+    end_polygon(m_surface);
+  }
+
+  // A face may refer to vertices that follow it, so indices are checked after all vertices are
+  // read.
+  void read_corner(std::string_view word)
+  {
+    const long long index = m_scanner.parse_integer(word.substr(0, word.find('/')));
+    const auto count = static_cast<long long>(m_surface.points.size());
+    if(index == 0 || index < -count)
+      m_scanner.fail("a face has the invalid vertex index " + std::to_string(index));
+    append_corner(m_surface, static_cast<double>(index > 0 ? index - 1 : count + index));
+    m_corner_texture_index.push_back(texture_index(word, m_texture_coordinates.size()));
+  }
+
+  // A vertex gets the texture coordinates of its first corner. If any corner has none, all are
+  // discarded.
+  void set_uv()
+  {
+    if(m_corner_texture_index.empty() ||
+       *std::max_element(m_corner_texture_index.begin(), m_corner_texture_index.end()) >=
+           m_texture_coordinates.size())
+      return;
+    m_surface.uv.resize(m_surface.points.size());
+    for(std::size_t c = m_corner_texture_index.size(); c-- > 0;)
+      if(m_surface.corners[c] < m_surface.uv.size())
+        m_surface.uv[m_surface.corners[c]] = m_texture_coordinates[m_corner_texture_index[c]];
+  }
+
+  Scanner m_scanner;
+  Surface_file m_surface;
+  std::vector<std::array<double, 2>> m_texture_coordinates; // in an image
+  std::vector<std::size_t> m_corner_texture_index; // #corners: index of these; the maximum: none
+  std::vector<std::array<double, 3>> m_colors;
+};
+
 } // namespace
 
 Surface_file read_obj(std::string_view bytes, const std::string& name)
 {
-  Surface_file surface;
-  std::vector<std::array<double, 2>> texture_coordinates; // in an image
-  std::vector<std::size_t> corner_texture_index; // #corners: index of these; the maximum: none
-  std::vector<std::array<double, 3>> colors;
-  Scanner scanner(bytes, name, '#');
-  // A face may refer to vertices that follow it, so indices are checked after all vertices are
-  // read.
-  while(scanner.next_line())
-  {
-    const std::string_view keyword = scanner.word();
-    if(keyword == "v")
-    {
-      Point& point = surface.points.emplace_back();
-      for(double& x : point)
-        x = scanner.parse_coordinate(scanner.word());
-      if(const auto color = read_color(scanner))
-        colors.push_back(*color);
-    }
-    else if(keyword == "vt")
-    {
-      const std::optional<double> u = to_number(scanner.word()), v = to_number(scanner.word());
-      texture_coordinates.push_back({u.value_or(0.), v.value_or(0.)});
-    }
-    else if(keyword == "f")
-    {
-      for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
-      {
-        // A backslash at the end of a line continues the face on the next line.
-        if(word == "\\")
-        {
-          if(!scanner.next_line())
-            break;
-          continue;
-        }
-        const long long index = scanner.parse_integer(word.substr(0, word.find('/')));
-        const auto count = static_cast<long long>(surface.points.size());
-        if(index == 0 || index < -count)
-          scanner.fail("a face names vertex " + std::to_string(index));
-        append_corner(surface, static_cast<double>(index > 0 ? index - 1 : count + index));
-        corner_texture_index.push_back(texture_index(word, texture_coordinates.size()));
-      }
-      end_polygon(surface);
-    }
-  }
-  // A vertex gets the texture coordinates of its first corner. If any corner has none, all are
-  // discarded.
-  if(!corner_texture_index.empty() &&
-     *std::max_element(corner_texture_index.begin(), corner_texture_index.end()) <
-         texture_coordinates.size())
-  {
-    surface.uv.resize(surface.points.size());
-    for(std::size_t c = corner_texture_index.size(); c-- > 0;)
-      if(surface.corners[c] < surface.uv.size())
-        surface.uv[surface.corners[c]] = texture_coordinates[corner_texture_index[c]];
-  }
-  if(!colors.empty() && colors.size() == surface.points.size())
-    set_colors(colors, surface);
-  return surface;
+  return Obj_reader(bytes, name).read();
 }
 
 } // namespace program

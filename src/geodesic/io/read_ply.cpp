@@ -3,9 +3,9 @@
 #include "io/Scanner.h"
 #include "io/Surface_file.h"
 #include "io/append_polygon.h"
+#include "io/binary_numbers.h"
 
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -20,17 +20,11 @@ enum class Encoding
   big_endian
 };
 
-struct Type
-{
-  char kind;        // i: signed integer, u: unsigned integer, f: floating point
-  std::size_t size; // bytes
-};
-
 struct Property
 {
   std::string name;
-  Type type;
-  std::optional<Type> count; // of lists only
+  Number_type type;
+  std::optional<Number_type> count; // of lists only
 };
 
 struct Element
@@ -47,91 +41,120 @@ struct Header
   std::size_t size = 0; // bytes, including the line feed after end_header
 };
 
-std::optional<Type> parse_type(std::string_view word)
+std::optional<Number_type> parse_type(std::string_view word)
 {
-  static const std::map<std::string_view, Type> types = {
+  static const std::map<std::string_view, Number_type> types = {
       {"char", {'i', 1}},   {"int8", {'i', 1}},   {"uchar", {'u', 1}},  {"uint8", {'u', 1}},
       {"short", {'i', 2}},  {"int16", {'i', 2}},  {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
       {"int", {'i', 4}},    {"int32", {'i', 4}},  {"uint", {'u', 4}},   {"uint32", {'u', 4}},
       {"int64", {'i', 8}},  {"uint64", {'u', 8}}, {"float", {'f', 4}},  {"float32", {'f', 4}},
       {"double", {'f', 8}}, {"float64", {'f', 8}}};
   const auto found = types.find(word);
-  return found == types.end() ? std::nullopt : std::optional<Type>(found->second);
+  return found == types.end() ? std::nullopt : std::optional<Number_type>(found->second);
 }
 
-Header read_header(std::string_view bytes, const std::string& name)
+class Header_reader
 {
-  Header header;
-  bool has_format = false;
-  std::size_t position = 0;
-  for(std::size_t number = 1; header.size == 0; ++number)
+public:
+  Header_reader(std::string_view bytes, const std::string& name) : m_bytes(bytes), m_name(name) {}
+
+  Header read()
   {
-    const std::size_t end = bytes.find('\n', position);
-    if(end == std::string_view::npos)
-      fail(name, "its header has no end");
-    Scanner line(bytes.substr(position, end - position), name, 0);
-    position = end + 1;
-    if(!line.next_line())
-      continue;
+    std::size_t position = 0;
+    for(m_line_number = 1; m_header.size == 0; ++m_line_number)
+    {
+      const std::size_t end = m_bytes.find('\n', position);
+      if(end == std::string_view::npos)
+        program::fail(m_name, "its header does not end with 'end_header'");
+      Scanner line(m_bytes.substr(position, end - position), m_name, 0);
+      position = end + 1;
+      if(line.next_line())
+        read_line(line, position);
+    }
+    if(!m_has_format)
+      program::fail(m_name, "its header has no format");
+    return std::move(m_header);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& reason) const
+  {
+    program::fail(m_name, "line " + std::to_string(m_line_number) + ": " + reason);
+  }
+
+  // line_end: the position after the line.
+  void read_line(Scanner& line, std::size_t line_end)
+  {
     const std::string_view word = line.word();
-    const std::string line_prefix = "line " + std::to_string(number) + ": ";
-    if(number == 1)
+    if(m_line_number == 1)
     {
       if(word != "ply")
-        fail(name, "it is not a PLY file, its first line is not 'ply'");
+        program::fail(m_name, "it is not a PLY file, its first line is not 'ply'");
     }
     else if(word == "format")
-    {
-      const std::string_view format = line.word();
-      if(format == "ascii")
-        header.encoding = Encoding::ascii;
-      else if(format == "binary_little_endian")
-        header.encoding = Encoding::little_endian;
-      else if(format == "binary_big_endian")
-        header.encoding = Encoding::big_endian;
-      else
-        fail(name, line_prefix + "the format '" + printable(format) + "' is unknown");
-      has_format = true;
-    }
+      read_format(line);
     else if(word == "element")
-    {
-      const std::string_view element = line.word();
-      const std::optional<long long> count = to_integer(line.word());
-      if(element.empty() || !count || *count < 0)
-        fail(name, line_prefix + "an element needs a name and a count");
-      header.elements.push_back({std::string(element), static_cast<std::size_t>(*count), {}});
-    }
+      read_element(line);
     else if(word == "property")
-    {
-      if(header.elements.empty())
-        fail(name, line_prefix + "a property stands before any element");
-      Property property;
-      std::string_view type = line.word();
-      if(type == "list")
-      {
-        property.count = parse_type(line.word());
-        if(!property.count || property.count->kind == 'f')
-          fail(name, line_prefix + "the counts of a list are integers");
-        type = line.word();
-      }
-      const std::optional<Type> value = parse_type(type);
-      if(!value)
-        fail(name, line_prefix + "the type '" + printable(type) + "' is unknown");
-      property.type = *value;
-      property.name = line.word();
-      if(property.name.empty())
-        fail(name, line_prefix + "a property has no name");
-      header.elements.back().properties.push_back(property);
-    }
+      read_property(line);
     else if(word == "end_header")
-      header.size = position;
+      m_header.size = line_end;
     else if(word != "comment" && word != "obj_info")
-      fail(name, line_prefix + "'" + printable(word) + "' does not belong in a header");
+      fail("'" + printable(word) + "' is not a keyword of the header");
   }
-  if(!has_format)
-    fail(name, "its header names no format");
-  return header;
-}
+
+  void read_format(Scanner& line)
+  {
+    const std::string_view format = line.word();
+    if(format == "ascii")
+      m_header.encoding = Encoding::ascii;
+    else if(format == "binary_little_endian")
+      m_header.encoding = Encoding::little_endian;
+    else if(format == "binary_big_endian")
+      m_header.encoding = Encoding::big_endian;
+    else
+      fail("the format '" + printable(format) + "' is unknown");
+    m_has_format = true;
+  }
+
+  void read_element(Scanner& line)
+  {
+    const std::string_view element = line.word();
+    const std::optional<long long> count = to_integer(line.word());
+    if(element.empty() || !count || *count < 0)
+      fail("an element needs a name and a count");
+    m_header.elements.push_back({std::string(element), static_cast<std::size_t>(*count), {}});
+  }
+
+  void read_property(Scanner& line)
+  {
+    if(m_header.elements.empty())
+      fail("a property precedes the first element");
+    Property property;
+    std::string_view type = line.word();
+    if(type == "list")
+    {
+      property.count = parse_type(line.word());
+      if(!property.count || property.count->kind == 'f')
+        fail("the length of a list must have an integer type");
+      type = line.word();
+    }
+    const std::optional<Number_type> value = parse_type(type);
+    if(!value)
+      fail("the type '" + printable(type) + "' is unknown");
+    property.type = *value;
+    property.name = line.word();
+    if(property.name.empty())
+      fail("a property has no name");
+    m_header.elements.back().properties.push_back(property);
+  }
+
+  std::string_view m_bytes;
+  std::string m_name;
+  Header m_header;
+  bool m_has_format = false;
+  std::size_t m_line_number = 1;
+};
 
 // Reads the values of the body one by one, independent of the encoding.
 class Body
@@ -152,49 +175,19 @@ public:
                                                 : static_cast<double>(property.type.size);
     const double available = static_cast<double>(m_bytes.size()) + 1.;
     if(min_size * static_cast<double>(element.count) > available)
-      fail(m_name, "its header promises " + std::to_string(element.count) + " of '" +
-                       printable(element.name) + "', more than the file holds");
+      fail(m_name, "its header declares " + std::to_string(element.count) + " elements '" +
+                       printable(element.name) + "', but the file is too short for them");
   }
 
-  double value(Type type)
+  double value(Number_type type)
   {
     if(m_encoding == Encoding::ascii)
-    {
-      const std::string_view word = m_text.next_word();
-      if(word.empty())
-        fail(m_name, "it ends too early");
-      const std::optional<double> number = to_number(word);
-      if(!number)
-        fail(m_name, "'" + printable(word) + "' is not a number");
-      return *number;
-    }
+      return text_value();
     if(m_bytes.size() < type.size)
-      fail(m_name, "it ends too early");
-    unsigned char buffer[8] = {};
-    for(std::size_t i = 0; i < type.size; ++i)
-      buffer[m_encoding == Encoding::little_endian ? i : type.size - 1 - i] =
-          static_cast<unsigned char>(m_bytes[i]);
+      fail(m_name, "it ends unexpectedly");
+    const std::uint64_t bits = bits_at(m_bytes, type.size, m_encoding == Encoding::big_endian);
     m_bytes.remove_prefix(type.size);
-    std::uint64_t bits = 0;
-    for(std::size_t i = 0; i < type.size; ++i)
-      bits |= std::uint64_t{buffer[i]} << (8 * i);
-    if(type.kind == 'u')
-      return static_cast<double>(bits);
-    if(type.kind == 'i')
-    {
-      const unsigned unused = static_cast<unsigned>(64 - 8 * type.size);
-      return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
-    }
-    if(type.size == 4)
-    {
-      const auto single_bits = static_cast<std::uint32_t>(bits);
-      float single;
-      std::memcpy(&single, &single_bits, sizeof single);
-      return single;
-    }
-    double result;
-    std::memcpy(&result, &bits, sizeof result);
-    return result;
+    return to_value(bits, type);
   }
 
   void list(const Property& property, std::vector<double>& values)
@@ -203,7 +196,7 @@ public:
     const double min_size =
         m_encoding == Encoding::ascii ? 1. : static_cast<double>(property.type.size);
     if(!(count >= 0. && std::floor(count) == count))
-      fail(m_name, "the length of a list is not a natural number");
+      fail(m_name, "the length of a list is not a nonnegative integer");
     if(count * min_size > static_cast<double>(m_bytes.size()))
       fail(m_name, "a list is longer than the file");
     values.resize(static_cast<std::size_t>(count));
@@ -212,24 +205,42 @@ public:
   }
 
 private:
+  double text_value()
+  {
+    const std::string_view word = m_text.next_word();
+    if(word.empty())
+      fail(m_name, "it ends unexpectedly");
+    const std::optional<double> number = to_number(word);
+    if(!number)
+      fail(m_name, "'" + printable(word) + "' is not a number");
+    return *number;
+  }
+
   std::string_view m_bytes; // with the ascii encoding: the whole file, as an upper bound
   Encoding m_encoding;
   std::string m_name;
   Scanner m_text;
 };
 
-void read_vertices(Body& body, const Element& element, const std::string& name,
-                   Surface_file& surface)
+// The destination of each property of a vertex: a coordinate, a component of the normal, or a
+// separate property of the surface. Lists and repeated names have none.
+struct Vertex_properties
+{
+  std::vector<int> coordinate, normal_component; // #properties: -1 if it is none
+  std::vector<double*> values;                   // #properties: nullptr if it is none
+};
+
+// Resizes the arrays of the surface and returns the destinations in them.
+Vertex_properties prepare_vertices(const Element& element, const std::string& name,
+                                   Surface_file& surface)
 {
   surface.points.resize(element.count);
-
-  // Destination of each property: a coordinate, a component of the normal, or a separate property.
-  std::vector<double*> property_values(element.properties.size(), nullptr);
-  std::vector<int> coordinate(element.properties.size(), -1),
-      normal_component(element.properties.size(), -1);
+  const std::size_t n = element.properties.size();
+  Vertex_properties result = {std::vector<int>(n, -1), std::vector<int>(n, -1),
+                              std::vector<double*>(n, nullptr)};
   bool is_present[6] = {};
   static const char* const standard_names[] = {"x", "y", "z", "nx", "ny", "nz"};
-  for(std::size_t p = 0; p < element.properties.size(); ++p)
+  for(std::size_t p = 0; p < n; ++p)
   {
     const Property& property = element.properties[p];
     if(property.count)
@@ -241,20 +252,26 @@ void read_vertices(Body& body, const Element& element, const std::string& name,
     if(standard_index >= 0 && !is_present[standard_index])
     {
       is_present[standard_index] = true;
-      (standard_index < 3 ? coordinate : normal_component)[p] = standard_index % 3;
+      (standard_index < 3 ? result.coordinate : result.normal_component)[p] = standard_index % 3;
     }
     else if(standard_index < 0 && surface.properties.count(property.name) == 0)
     {
       std::vector<double>& values = surface.properties[property.name];
       values.resize(element.count);
-      property_values[p] = values.data();
+      result.values[p] = values.data();
     }
   }
   if(!is_present[0] || !is_present[1] || !is_present[2])
-    fail(name, "its vertices have no x, y and z");
+    fail(name, "its vertices do not have the properties x, y and z");
   if(is_present[3] && is_present[4] && is_present[5])
     surface.normals.resize(element.count);
+  return result;
+}
 
+void read_vertices(Body& body, const Element& element, const std::string& name,
+                   Surface_file& surface)
+{
+  const Vertex_properties destination = prepare_vertices(element, name, surface);
   std::vector<double> ignored;
   for(std::size_t i = 0; i < element.count; ++i)
     for(std::size_t p = 0; p < element.properties.size(); ++p)
@@ -265,12 +282,13 @@ void read_vertices(Body& body, const Element& element, const std::string& name,
         continue;
       }
       const double value = body.value(element.properties[p].type);
-      if(coordinate[p] >= 0)
-        surface.points[i][coordinate[p]] = value;
-      else if(normal_component[p] >= 0 && !surface.normals.empty())
-        surface.normals[i][normal_component[p]] = value;
-      else if(property_values[p] != nullptr)
-        property_values[p][i] = value;
+      const int coordinate = destination.coordinate[p], component = destination.normal_component[p];
+      if(coordinate >= 0)
+        surface.points[i][static_cast<std::size_t>(coordinate)] = value;
+      else if(component >= 0 && !surface.normals.empty())
+        surface.normals[i][static_cast<std::size_t>(component)] = value;
+      else if(destination.values[p] != nullptr)
+        destination.values[p][i] = value;
     }
 }
 
@@ -325,7 +343,7 @@ void read_others(Body& body, const Element& element, Surface_file& surface)
 
 Surface_file read_ply(std::string_view bytes, const std::string& name)
 {
-  const Header header = read_header(bytes, name);
+  const Header header = Header_reader(bytes, name).read();
   Body body(bytes.substr(header.size), header.encoding, name);
   Surface_file surface;
   bool has_vertices = false;
@@ -336,7 +354,7 @@ Surface_file read_ply(std::string_view bytes, const std::string& name)
       continue;
     body.expect(element);
     if(element.name == "vertex" && std::exchange(has_vertices, true))
-      fail(name, "it has two elements 'vertex'");
+      fail(name, "the element 'vertex' is declared twice");
     if(element.name == "vertex")
       read_vertices(body, element, name, surface);
     else if(element.name == "edge")

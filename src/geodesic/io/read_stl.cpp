@@ -134,7 +134,7 @@ Surface_file read_stl(std::string_view bytes, const std::string& name)
     return read_text(bytes, name);
   if(bytes.size() < 84)
     fail(name, "it is not an STL file");
-  fail(name, "it is neither text nor as long as a binary STL file of " +
+  fail(name, "it is not an ASCII STL file, and its size does not match a binary STL file of " +
                  std::to_string(little_endian(bytes.substr(80))) + " facets");
 }
 

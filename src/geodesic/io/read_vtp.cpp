@@ -4,9 +4,11 @@
 #include "io/Surface_file.h"
 #include "io/append_polygon.h"
 #include "io/base64.h"
+#include "io/binary_numbers.h"
 
-#include <cmath>
-#include <cstring>
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace program {
 
@@ -47,7 +49,7 @@ public:
       const bool is_comment = m_rest.substr(0, 4) == "<!--";
       const std::size_t end = m_rest.find(is_comment ? "-->" : ">");
       if(end == std::string_view::npos)
-        fail(m_name, "a tag has no end");
+        fail(m_name, "a tag has no closing '>'");
       const std::string_view content = m_rest.substr(1, end - 1);
       m_rest.remove_prefix(end + (is_comment ? 3 : 1));
       if(!is_comment && !content.empty() && content[0] != '?' && content[0] != '!')
@@ -81,7 +83,7 @@ private:
       const std::size_t close =
           quote == '"' || quote == '\'' ? content.find(quote, 1) : std::string_view::npos;
       if(close == std::string_view::npos)
-        fail(m_name, "an attribute has no quotes");
+        fail(m_name, "the value of an attribute is not quoted");
       result.attributes[key] = content.substr(1, close - 1);
       content.remove_prefix(close + 1);
     }
@@ -102,21 +104,11 @@ struct Storage
   bool is_appended_raw = true;
 };
 
-std::uint64_t bits_at(std::string_view bytes, std::size_t size, bool big_endian)
+Number_type parse_type(std::string_view type, const std::string& name)
 {
-  std::uint64_t bits = 0;
-  for(std::size_t i = 0; i < size; ++i)
-    bits |= std::uint64_t{static_cast<unsigned char>(bytes[i])}
-            << (8 * (big_endian ? size - 1 - i : i));
-  return bits;
-}
-
-std::vector<double> decode_numbers(std::string_view bytes, std::string_view type,
-                                   const Storage& storage, const std::string& name)
-{
-  const bool is_float = type.substr(0, 5) == "Float", is_unsigned = type.substr(0, 4) == "UInt";
-  const std::string_view width = type.substr(is_float                     ? 5
-                                             : is_unsigned                ? 4
+  const char kind = type.substr(0, 5) == "Float" ? 'f' : type.substr(0, 4) == "UInt" ? 'u' : 'i';
+  const std::string_view width = type.substr(kind == 'f'                  ? 5
+                                             : kind == 'u'                ? 4
                                              : type.substr(0, 3) == "Int" ? 3
                                                                           : 0);
   const std::size_t size = width == "8"    ? 1
@@ -124,29 +116,19 @@ std::vector<double> decode_numbers(std::string_view bytes, std::string_view type
                            : width == "32" ? 4
                            : width == "64" ? 8
                                            : 0;
-  if(size == 0 || (is_float && size < 4))
+  if(size == 0 || (kind == 'f' && size < 4))
     fail(name, "the type '" + printable(type) + "' is unknown");
-  std::vector<double> numbers(bytes.size() / size);
+  return {kind, size};
+}
+
+std::vector<double> decode_numbers(std::string_view bytes, std::string_view type_name,
+                                   const Storage& storage, const std::string& name)
+{
+  const Number_type type = parse_type(type_name, name);
+  std::vector<double> numbers(bytes.size() / type.size);
   for(std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    const std::uint64_t bits = bits_at(bytes.substr(i * size), size, storage.big_endian);
-    if(is_float && size == 4)
-    {
-      const auto single_bits = static_cast<std::uint32_t>(bits);
-      float single;
-      std::memcpy(&single, &single_bits, sizeof single);
-      numbers[i] = single;
-    }
-    else if(is_float)
-      std::memcpy(&numbers[i], &bits, sizeof bits);
-    else if(is_unsigned)
-      numbers[i] = static_cast<double>(bits);
-    else
-    {
-      const unsigned unused = static_cast<unsigned>(64 - 8 * size);
-      numbers[i] = static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
-    }
-  }
+    numbers[i] =
+        to_value(bits_at(bytes.substr(i * type.size), type.size, storage.big_endian), type);
   return numbers;
 }
 
@@ -156,11 +138,11 @@ std::string_view read_block(std::string_view bytes, const Storage& storage, cons
   if(bytes.empty())
     return {};
   if(bytes.size() < storage.header_size)
-    fail(name, "a data array ends too early");
+    fail(name, "a data array is truncated");
   const std::uint64_t length = bits_at(bytes, storage.header_size, storage.big_endian);
   bytes.remove_prefix(storage.header_size);
   if(length > bytes.size())
-    fail(name, "a data array ends too early");
+    fail(name, "a data array is truncated");
   return bytes.substr(0, static_cast<std::size_t>(length));
 }
 
@@ -171,48 +153,57 @@ std::vector<double> numbers_in_base64(std::string_view text, std::string_view ty
 {
   const std::optional<std::string> bytes = from_base64(text);
   if(!bytes)
-    fail(name, "a data array is not base64");
+    fail(name, "a data array is not valid base64");
   return decode_numbers(read_block(*bytes, storage, name), type, storage, name);
+}
+
+std::vector<double> numbers_in_text(std::string_view text, const std::string& name)
+{
+  std::vector<double> numbers;
+  Scanner scanner(text, name, 0);
+  for(std::string_view word = scanner.next_word(); !word.empty(); word = scanner.next_word())
+  {
+    const std::optional<double> number = to_number(word);
+    if(!number)
+      fail(name, "'" + printable(word) + "' is not a number");
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::vector<double> appended_numbers(const Tag& tag, const Storage& storage,
+                                     const std::string& name)
+{
+  const std::optional<long long> offset = to_integer(tag["offset"]);
+  if(!offset || *offset < 0 || static_cast<std::size_t>(*offset) > storage.appended.size())
+    fail(name, "the offset of a data array is missing or out of range");
+  const std::string_view bytes = storage.appended.substr(static_cast<std::size_t>(*offset));
+  if(storage.is_appended_raw)
+    return decode_numbers(read_block(bytes, storage, name), tag["type"], storage, name);
+  // Encoded blocks are concatenated, so the length of this block is decoded first.
+  const std::size_t digits = (storage.header_size + 2) / 3 * 4;
+  const std::optional<std::string> header = from_base64(bytes.substr(0, digits));
+  if(!header || header->size() < storage.header_size)
+    fail(name, "a data array is not valid base64");
+  const std::uint64_t length = bits_at(*header, storage.header_size, storage.big_endian);
+  if(length > bytes.size())
+    fail(name, "a data array is truncated");
+  const std::size_t encoded_length =
+      (static_cast<std::size_t>(length) + storage.header_size + 2) / 3 * 4;
+  return numbers_in_base64(bytes.substr(0, encoded_length), tag["type"], storage, name);
 }
 
 std::vector<double> read_array(const Tag& tag, std::string_view text, const Storage& storage,
                                const std::string& name)
 {
-  const std::string_view format = tag["format"], type = tag["type"];
+  const std::string_view format = tag["format"];
   if(format == "ascii" || format.empty())
-  {
-    std::vector<double> numbers;
-    Scanner scanner(text, name, 0);
-    for(std::string_view word = scanner.next_word(); !word.empty(); word = scanner.next_word())
-    {
-      const std::optional<double> number = to_number(word);
-      if(!number)
-        fail(name, "'" + printable(word) + "' is not a number");
-      numbers.push_back(*number);
-    }
-    return numbers;
-  }
+    return numbers_in_text(text, name);
   if(format == "binary")
-    return numbers_in_base64(text, type, storage, name);
+    return numbers_in_base64(text, tag["type"], storage, name);
   if(format != "appended")
     fail(name, "the format '" + printable(format) + "' of a data array is unknown");
-  const std::optional<long long> offset = to_integer(tag["offset"]);
-  if(!offset || *offset < 0 || static_cast<std::size_t>(*offset) > storage.appended.size())
-    fail(name, "a data array has no offset within the file");
-  const std::string_view bytes = storage.appended.substr(static_cast<std::size_t>(*offset));
-  if(storage.is_appended_raw)
-    return decode_numbers(read_block(bytes, storage, name), type, storage, name);
-  // Encoded blocks are concatenated, so the length of this block is decoded first.
-  const std::size_t digits = (storage.header_size + 2) / 3 * 4;
-  const std::optional<std::string> header = from_base64(bytes.substr(0, digits));
-  if(!header || header->size() < storage.header_size)
-    fail(name, "a data array is not base64");
-  const std::uint64_t length = bits_at(*header, storage.header_size, storage.big_endian);
-  if(length > bytes.size())
-    fail(name, "a data array ends too early");
-  const std::size_t encoded_length =
-      (static_cast<std::size_t>(length) + storage.header_size + 2) / 3 * 4;
-  return numbers_in_base64(bytes.substr(0, encoded_length), type, storage, name);
+  return appended_numbers(tag, storage, name);
 }
 
 using Arrays = std::map<std::string, std::vector<double>>;
@@ -222,7 +213,7 @@ const std::vector<double>& require_array(const Arrays& arrays, const std::string
 {
   const auto found = arrays.find(key);
   if(found == arrays.end())
-    fail(name, "its cells have no '" + key + "'");
+    fail(name, "its cells have no data array '" + key + "'");
   return found->second;
 }
 
@@ -236,7 +227,7 @@ void append_cells(Surface_file& surface, const Arrays& arrays, bool are_strips,
   for(const double offset : require_array(arrays, "offsets", name))
   {
     if(!(offset >= static_cast<double>(begin) && offset <= static_cast<double>(corners.size())))
-      fail(name, "the offsets of its cells do not fit");
+      fail(name, "the offsets of its cells are not sorted or out of range");
     const auto end = static_cast<std::size_t>(offset);
     const std::vector<double> cell(corners.begin() + static_cast<std::ptrdiff_t>(begin),
                                    corners.begin() + static_cast<std::ptrdiff_t>(end));
@@ -260,84 +251,127 @@ std::vector<Point> to_points(const std::vector<double>& numbers)
   return points;
 }
 
+// Moves the appended data from `bytes` to `storage`. They may contain text that resembles tags.
+void remove_appended_data(std::string_view& bytes, Storage& storage, const std::string& name)
+{
+  const std::size_t begin = bytes.find("<AppendedData");
+  if(begin == std::string_view::npos)
+    return;
+  Xml appended(bytes.substr(begin), name);
+  const std::optional<Tag> tag = appended.next();
+  storage.is_appended_raw = (*tag)["encoding"] != "base64";
+  const std::size_t underscore = appended.rest().find('_');
+  if(underscore != std::string_view::npos)
+    storage.appended = appended.rest().substr(underscore + 1);
+  bytes = bytes.substr(0, begin);
+}
+
+bool is_section(std::string_view tag)
+{
+  static constexpr std::string_view sections[] = {"Points", "Polys", "Strips",   "PointData",
+                                                  "Verts",  "Lines", "CellData", "FieldData"};
+  return std::find(std::begin(sections), std::end(sections), tag) != std::end(sections);
+}
+
+class Vtp_reader
+{
+public:
+  Vtp_reader(std::string_view bytes, Storage storage, const std::string& name)
+      : m_xml(bytes, name), m_storage(storage), m_name(name)
+  {}
+
+  Surface_file read()
+  {
+    while(const std::optional<Tag> tag = m_xml.next())
+      read_tag(*tag);
+    if(!m_is_vtp)
+      fail(m_name, "it is not a VTP file");
+    append_cells(m_surface, m_cells["Polys"], false, m_name);
+    append_cells(m_surface, m_cells["Strips"], true, m_name);
+    check_sizes();
+    return std::move(m_surface);
+  }
+
+private:
+  void read_tag(const Tag& tag)
+  {
+    if(tag.name == "VTKFile")
+      read_file_attributes(tag);
+    else if(tag.name == "Piece" && ++m_number_of_pieces > 1)
+      fail(m_name, "it has several pieces, only one is supported");
+    else if(is_section(tag.name))
+      m_section = tag.is_self_closing ? "" : std::string(tag.name);
+    else if(tag.name == "/" + m_section)
+      m_section.clear();
+    else if(tag.name == "DataArray" && (m_section == "Points" || m_section == "Polys" ||
+                                        m_section == "Strips" || m_section == "PointData"))
+      read_data_array(tag);
+  }
+
+  void read_file_attributes(const Tag& tag)
+  {
+    m_is_vtp = tag["type"] == "PolyData";
+    m_storage.big_endian = tag["byte_order"] == "BigEndian";
+    m_storage.header_size = tag["header_type"] == "UInt64" ? 8 : 4;
+    if(!tag["compressor"].empty())
+      fail(m_name, "compressed VTP files are not supported");
+  }
+
+  void read_data_array(const Tag& tag)
+  {
+    std::string_view text;
+    if(!tag.is_self_closing)
+    {
+      m_xml.next();
+      text = m_xml.text();
+    }
+    const std::string key(tag["Name"]);
+    const std::string_view components = tag["NumberOfComponents"];
+    const auto numbers = [&] { return read_array(tag, text, m_storage, m_name); };
+    if(m_section == "Polys" || m_section == "Strips")
+      m_cells[m_section][key] = numbers();
+    else if(m_section == "Points")
+      set_points(numbers());
+    else if(components.empty() || components == "1")
+      m_surface.properties[key] = numbers();
+    else if(components == "3" && key == "Normals")
+      m_surface.normals = to_points(numbers());
+  }
+
+  void set_points(const std::vector<double>& numbers)
+  {
+    if(numbers.size() % 3 != 0)
+      fail(m_name, "its points do not have three coordinates each");
+    m_surface.points = to_points(numbers);
+  }
+
+  void check_sizes() const
+  {
+    if(!m_surface.normals.empty() && m_surface.normals.size() != m_surface.points.size())
+      fail(m_name, "the number of normals differs from the number of points");
+    for(const auto& [key, values] : m_surface.properties)
+      if(values.size() != m_surface.points.size())
+        fail(m_name,
+             "the number of values of '" + printable(key) + "' differs from the number of points");
+  }
+
+  Xml m_xml;
+  Storage m_storage;
+  std::string m_name;
+  Surface_file m_surface;
+  bool m_is_vtp = false;
+  int m_number_of_pieces = 0;
+  std::string m_section; // the open section, or an empty text
+  std::map<std::string, Arrays> m_cells;
+};
+
 } // namespace
 
 Surface_file read_vtp(std::string_view bytes, const std::string& name)
 {
   Storage storage;
-  // Appended bytes may contain text that resembles tags, so they are removed first.
-  if(const std::size_t begin = bytes.find("<AppendedData"); begin != std::string_view::npos)
-  {
-    Xml appended(bytes.substr(begin), name);
-    const std::optional<Tag> tag = appended.next();
-    storage.is_appended_raw = (*tag)["encoding"] != "base64";
-    const std::size_t underscore = appended.rest().find('_');
-    if(underscore != std::string_view::npos)
-      storage.appended = appended.rest().substr(underscore + 1);
-    bytes = bytes.substr(0, begin);
-  }
-
-  Surface_file surface;
-  Xml xml(bytes, name);
-  bool is_vtp = false;
-  int pieces = 0;
-  std::string section;
-  std::map<std::string, Arrays> cells;
-  while(const std::optional<Tag> tag = xml.next())
-  {
-    if(tag->name == "VTKFile")
-    {
-      is_vtp = (*tag)["type"] == "PolyData";
-      storage.big_endian = (*tag)["byte_order"] == "BigEndian";
-      storage.header_size = (*tag)["header_type"] == "UInt64" ? 8 : 4;
-      if(!(*tag)["compressor"].empty())
-        fail(name, "it is a compressed VTP file, only uncompressed ones are read");
-    }
-    else if(tag->name == "Piece" && ++pieces > 1)
-      fail(name, "it has several pieces, only one is read");
-    else if(tag->name == "Points" || tag->name == "Polys" || tag->name == "Strips" ||
-            tag->name == "PointData" || tag->name == "Verts" || tag->name == "Lines" ||
-            tag->name == "CellData" || tag->name == "FieldData")
-      section = tag->is_self_closing ? "" : std::string(tag->name);
-    else if(tag->name == "/" + section)
-      section.clear();
-    else if(tag->name == "DataArray" && (section == "Points" || section == "Polys" ||
-                                         section == "Strips" || section == "PointData"))
-    {
-      const Tag array = *tag;
-      std::string_view text;
-      if(!array.is_self_closing)
-      {
-        xml.next();
-        text = xml.text();
-      }
-      const std::string key(array["Name"]);
-      const std::string_view components = array["NumberOfComponents"];
-      if(section == "Polys" || section == "Strips")
-        cells[section][key] = read_array(array, text, storage, name);
-      else if(section == "Points")
-      {
-        const std::vector<double> numbers = read_array(array, text, storage, name);
-        if(numbers.size() % 3 != 0)
-          fail(name, "its points have not three coordinates each");
-        surface.points = to_points(numbers);
-      }
-      else if(components.empty() || components == "1")
-        surface.properties[key] = read_array(array, text, storage, name);
-      else if(components == "3" && key == "Normals")
-        surface.normals = to_points(read_array(array, text, storage, name));
-    }
-  }
-  if(!is_vtp)
-    fail(name, "it is not a VTP file");
-  append_cells(surface, cells["Polys"], false, name);
-  append_cells(surface, cells["Strips"], true, name);
-  if(!surface.normals.empty() && surface.normals.size() != surface.points.size())
-    fail(name, "it has not as many normals as points");
-  for(const auto& [key, values] : surface.properties)
-    if(values.size() != surface.points.size())
-      fail(name, "it has not as many values of '" + printable(key) + "' as points");
-  return surface;
+  remove_appended_data(bytes, storage, name);
+  return Vtp_reader(bytes, storage, name).read();
 }
 
 } // namespace program

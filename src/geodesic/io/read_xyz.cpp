@@ -40,8 +40,8 @@ Table read_table(std::string_view bytes, const std::string& name)
     if(table.columns == 0)
       table.columns = row.size();
     if(row.size() != table.columns)
-      scanner.fail("it has " + std::to_string(row.size()) + " numbers, the lines before " +
-                   std::to_string(table.columns));
+      scanner.fail("it has " + std::to_string(row.size()) +
+                   " numbers, but the previous lines have " + std::to_string(table.columns));
     table.values.insert(table.values.end(), row.begin(), row.end());
   }
   return table;
@@ -72,8 +72,8 @@ Surface_file read_xyz(std::string_view bytes, const std::string& name)
 {
   const Table table = read_table(bytes, name);
   if(table.count && *table.count != static_cast<double>(table.rows()))
-    fail(name, "its first line promises another number of points than the " +
-                   std::to_string(table.rows()) + " that it holds");
+    fail(name, "the count in its first line differs from the number of points, " +
+                   std::to_string(table.rows()));
   return from_table(table, table.rows(), false);
 }
 

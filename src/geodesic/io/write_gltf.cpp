@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 namespace program {
 
@@ -64,6 +65,61 @@ std::vector<Point> vertex_normals(const Surface_file& surface)
   return result;
 }
 
+// The contents of the buffers
+struct Vertex_arrays
+{
+  std::size_t number_of_vertices = 0;
+  std::string indices, positions, normals, texture_coordinates;
+  std::array<std::vector<float>, 2> bounds = {
+      std::vector<float>(3, std::numeric_limits<float>::infinity()),
+      std::vector<float>(3, -std::numeric_limits<float>::infinity())};
+};
+
+// Appends the indices of the corners. A vertex has one texture coordinate in glTF, so each pair of
+// point and texture coordinate becomes a vertex. Returns a corner of each vertex.
+std::vector<std::size_t> append_indices(const Surface_file& surface, std::string& indices)
+{
+  using Key = std::pair<std::uint32_t, std::array<double, 2>>;
+  std::unordered_map<Key, std::uint32_t, boost::hash<Key>> vertex_index;
+  std::vector<std::size_t> first_corner;
+  for(std::size_t c = 0; c < surface.corners.size(); ++c)
+  {
+    const auto [entry, is_new] =
+        vertex_index.try_emplace({surface.corners[c], surface.corner_uv[c]},
+                                 static_cast<std::uint32_t>(first_corner.size()));
+    if(is_new)
+      first_corner.push_back(c);
+    append_little_endian(indices, entry->second);
+  }
+  return first_corner;
+}
+
+Vertex_arrays make_vertex_arrays(const std::string& filename, const Surface_file& surface)
+{
+  Vertex_arrays result;
+  const std::vector<std::size_t> first_corner = append_indices(surface, result.indices);
+  result.number_of_vertices = first_corner.size();
+  const std::vector<Point> normal = vertex_normals(surface);
+  for(const std::size_t c : first_corner)
+  {
+    const std::uint32_t point = surface.corners[c];
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const double coordinate = surface.points[point][k];
+      if(!(std::abs(coordinate) <= double((std::numeric_limits<float>::max)())))
+        throw Output_error(filename + ": a coordinate exceeds the range of single precision.");
+      result.bounds[0][k] = std::min(result.bounds[0][k], float(coordinate));
+      result.bounds[1][k] = std::max(result.bounds[1][k], float(coordinate));
+      append_float(result.positions, coordinate);
+      append_float(result.normals, normal[point][k]);
+    }
+    // The origin of texture coordinates is the upper left corner in glTF.
+    append_float(result.texture_coordinates, surface.corner_uv[c][0]);
+    append_float(result.texture_coordinates, 1. - surface.corner_uv[c][1]);
+  }
+  return result;
+}
+
 // The JSON document and its binary buffer.
 struct Gltf
 {
@@ -72,51 +128,28 @@ struct Gltf
 
   Gltf(const std::string& filename, const Surface_file& surface, const std::string& png)
   {
-    // A vertex has one texture coordinate in glTF, so each pair of point and texture coordinate
-    // becomes a vertex.
-    struct Hash
-    {
-      std::size_t operator()(const std::pair<std::uint32_t, std::array<double, 2>>& key) const
-      {
-        return boost::hash_value(key);
-      }
-    };
-    std::unordered_map<std::pair<std::uint32_t, std::array<double, 2>>, std::uint32_t, Hash>
-        vertex_index;
-    std::vector<std::size_t> first_corner; // a corner of each vertex
-    std::string indices;
-    for(std::size_t c = 0; c < surface.corners.size(); ++c)
-    {
-      const auto [entry, is_new] =
-          vertex_index.try_emplace({surface.corners[c], surface.corner_uv[c]},
-                                   static_cast<std::uint32_t>(first_corner.size()));
-      if(is_new)
-        first_corner.push_back(c);
-      append_little_endian(indices, entry->second);
-    }
-    const std::vector<Point> normal = vertex_normals(surface);
-    std::string positions, normals, texture_coordinates;
-    std::array<std::vector<float>, 2> bounds = {
-        std::vector<float>(3, std::numeric_limits<float>::infinity()),
-        std::vector<float>(3, -std::numeric_limits<float>::infinity())};
-    for(const std::size_t c : first_corner)
-    {
-      const std::uint32_t point = surface.corners[c];
-      for(std::size_t k = 0; k < 3; ++k)
-      {
-        const double coordinate = surface.points[point][k];
-        if(!(std::abs(coordinate) <= double((std::numeric_limits<float>::max)())))
-          throw Output_error(filename + ": a coordinate is too large for the format.");
-        bounds[0][k] = std::min(bounds[0][k], float(coordinate));
-        bounds[1][k] = std::max(bounds[1][k], float(coordinate));
-        append_float(positions, coordinate);
-        append_float(normals, normal[point][k]);
-      }
-      // The origin of texture coordinates is the upper left corner in glTF.
-      append_float(texture_coordinates, surface.corner_uv[c][0]);
-      append_float(texture_coordinates, 1. - surface.corner_uv[c][1]);
-    }
+    const Vertex_arrays arrays = make_vertex_arrays(filename, surface);
+    add_scene();
+    add_material();
+    json["accessors"] = Json::array();
+    json["bufferViews"] = Json::array();
+    const std::size_t n = arrays.number_of_vertices;
+    add_accessor(arrays.positions, target_array_buffer, component_float, n, "VEC3");
+    json["accessors"][0]["min"] = arrays.bounds[0];
+    json["accessors"][0]["max"] = arrays.bounds[1];
+    add_accessor(arrays.normals, target_array_buffer, component_float, n, "VEC3");
+    add_accessor(arrays.texture_coordinates, target_array_buffer, component_float, n, "VEC2");
+    add_accessor(arrays.indices, target_element_array_buffer, component_unsigned_int,
+                 surface.corners.size(), "SCALAR");
+    add_buffer_view(png);
+    json["images"] = {{{"name", "texture"},
+                       {"mimeType", "image/png"},
+                       {"bufferView", json["bufferViews"].size() - 1}}};
+  }
 
+private:
+  void add_scene()
+  {
     json["asset"] = {{"version", "2.0"}, {"generator", "geodesic"}};
     json["scene"] = 0;
     json["scenes"] = {{{"nodes", {0}}}};
@@ -125,6 +158,10 @@ struct Gltf
                         {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}}},
                           {"indices", 3},
                           {"material", 0}}}}}};
+  }
+
+  void add_material()
+  {
     json["materials"] = {
         {{"name", "texture"},
          {"pbrMetallicRoughness",
@@ -135,23 +172,8 @@ struct Gltf
                          {"minFilter", filter_linear_mipmap_linear},
                          {"wrapS", wrap_clamp_to_edge},
                          {"wrapT", wrap_clamp_to_edge}}};
-    json["accessors"] = Json::array();
-    json["bufferViews"] = Json::array();
-    add_accessor(positions, target_array_buffer, component_float, first_corner.size(), "VEC3");
-    json["accessors"][0]["min"] = bounds[0];
-    json["accessors"][0]["max"] = bounds[1];
-    add_accessor(normals, target_array_buffer, component_float, first_corner.size(), "VEC3");
-    add_accessor(texture_coordinates, target_array_buffer, component_float, first_corner.size(),
-                 "VEC2");
-    add_accessor(indices, target_element_array_buffer, component_unsigned_int,
-                 surface.corners.size(), "SCALAR");
-    add_buffer_view(png);
-    json["images"] = {{{"name", "texture"},
-                       {"mimeType", "image/png"},
-                       {"bufferView", json["bufferViews"].size() - 1}}};
   }
 
-private:
   Json& add_buffer_view(const std::string& bytes)
   {
     json["bufferViews"].push_back(
@@ -192,7 +214,7 @@ std::string to_glb(const std::string& filename, const Surface_file& surface, con
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const std::uint64_t size = 12 + 8 + text.size() + 8 + gltf.buffer.size();
   if(size > (std::numeric_limits<std::uint32_t>::max)())
-    throw Output_error(filename + ": it would be larger than the format allows.");
+    throw Output_error(filename + ": it would exceed the maximum size of the format, 4 GiB.");
   std::string bytes = "glTF";
   append_little_endian(bytes, std::uint32_t(2));
   append_little_endian(bytes, std::uint32_t(size));

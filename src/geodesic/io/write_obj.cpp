@@ -6,75 +6,126 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace program {
 
-std::string to_obj(const Surface_file& surface)
+namespace {
+
+class Obj_writer
 {
-  const bool normals = !surface.normals.empty(), corner_uv = !surface.corner_uv.empty(),
-             uv = corner_uv || !surface.uv.empty();
-  std::string text;
-  if(!surface.material.empty())
-    text = "mtllib " + surface.material + "\nusemtl texture\n";
-  const auto line = [&text](const char* keyword, const auto& numbers)
+public:
+  explicit Obj_writer(const Surface_file& surface)
+      : m_surface(surface), m_has_normals(!surface.normals.empty()),
+        m_has_corner_uv(!surface.corner_uv.empty()),
+        m_has_uv(m_has_corner_uv || !surface.uv.empty())
   {
-    text += keyword;
-    append_numbers(text, numbers);
-    text += '\n';
-  };
-  // Colors are omitted if there are texture coordinates, because many programs multiply both.
-  const bool colors =
-      !uv && std::all_of(color_names.begin(), color_names.end(),
-                         [&](auto name) { return surface.properties.count(name) > 0; });
-  const auto write_vertex = [&](const Point& point, auto channel_of)
+    // Colors are omitted if there are texture coordinates, because many programs multiply both.
+    m_has_colors =
+        !m_has_uv && std::all_of(color_names.begin(), color_names.end(),
+                                 [&](auto name) { return surface.properties.count(name) > 0; });
+  }
+
+  std::string write()
   {
-    text += 'v';
-    append_numbers(text, point);
-    for(std::size_t c = 0; colors && c < 3; ++c)
-      append_numbers(text, std::array<double, 1>{channel_of(color_names[c])});
-    text += '\n';
-  };
-  for(std::size_t i = 0; i < surface.points.size(); ++i)
-    write_vertex(surface.points[i],
-                 [&](const char* name) { return surface.properties.at(name)[i] / 255.; });
-  for(const std::vector<Point>& polyline : surface.polylines)
-    for(const Point& point : polyline)
-      write_vertex(point, [](const char*) { return 0.; });
-  // Each distinct texture coordinate of the corners is written once.
-  std::unordered_map<std::array<double, 2>, std::size_t, boost::hash<std::array<double, 2>>>
-      texture_index;
-  for(const std::array<double, 2>& coordinates : corner_uv ? surface.corner_uv : surface.uv)
-    if(!corner_uv || texture_index.try_emplace(coordinates, texture_index.size() + 1).second)
-      line("vt", coordinates);
-  for(const Point& normal : surface.normals)
-    line("vn", normal);
-  for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
+    if(!m_surface.material.empty())
+      m_text = "mtllib " + m_surface.material + "\nusemtl texture\n";
+    append_vertices();
+    append_texture_coordinates();
+    for(const Point& normal : m_surface.normals)
+      append_line("vn", normal);
+    append_faces();
+    append_polylines();
+    return std::move(m_text);
+  }
+
+private:
+  template <typename Numbers>
+  void append_line(const char* keyword, const Numbers& numbers)
   {
-    text += 'f';
-    for(std::size_t c = surface.polygon_begin[f]; c < surface.polygon_begin[f + 1]; ++c)
+    m_text += keyword;
+    append_numbers(m_text, numbers);
+    m_text += '\n';
+  }
+
+  template <typename Function>
+  void append_vertex(const Point& point, Function channel_of)
+  {
+    m_text += 'v';
+    append_numbers(m_text, point);
+    for(std::size_t c = 0; m_has_colors && c < 3; ++c)
+      append_numbers(m_text, std::array<double, 1>{channel_of(color_names[c])});
+    m_text += '\n';
+  }
+
+  void append_vertices()
+  {
+    for(std::size_t i = 0; i < m_surface.points.size(); ++i)
+      append_vertex(m_surface.points[i],
+                    [&](const char* name) { return m_surface.properties.at(name)[i] / 255.; });
+    for(const std::vector<Point>& polyline : m_surface.polylines)
+      for(const Point& point : polyline)
+        append_vertex(point, [](const char*) { return 0.; });
+  }
+
+  // Appends each distinct texture coordinate of the corners once.
+  void append_texture_coordinates()
+  {
+    for(const std::array<double, 2>& coordinates :
+        m_has_corner_uv ? m_surface.corner_uv : m_surface.uv)
+      if(!m_has_corner_uv ||
+         m_texture_index.try_emplace(coordinates, m_texture_index.size() + 1).second)
+        append_line("vt", coordinates);
+  }
+
+  // Appends v, v/vt, v//vn or v/vt/vn.
+  void append_corner(std::size_t c)
+  {
+    const std::string index = std::to_string(m_surface.corners[c] + 1);
+    m_text += ' ' + index;
+    if(m_has_uv || m_has_normals)
+      m_text += '/' + (m_has_corner_uv ? std::to_string(m_texture_index.at(m_surface.corner_uv[c]))
+                       : m_has_uv      ? index
+                                       : std::string());
+    if(m_has_normals)
+      m_text += '/' + index;
+  }
+
+  void append_faces()
+  {
+    for(std::size_t f = 0; f < m_surface.number_of_polygons(); ++f)
     {
-      const std::string index = std::to_string(surface.corners[c] + 1);
-      text += ' ' + index;
-      if(uv || normals)
-        text += '/' + (corner_uv ? std::to_string(texture_index.at(surface.corner_uv[c]))
-                       : uv      ? index
-                                 : std::string());
-      if(normals)
-        text += '/' + index;
+      m_text += 'f';
+      for(std::size_t c = m_surface.polygon_begin[f]; c < m_surface.polygon_begin[f + 1]; ++c)
+        append_corner(c);
+      m_text += '\n';
     }
-    text += '\n';
   }
-  std::size_t next = surface.points.size() + 1;
-  for(const std::vector<Point>& polyline : surface.polylines)
+
+  void append_polylines()
   {
-    if(polyline.empty())
-      continue;
-    text += 'l';
-    for(std::size_t i = 0; i < polyline.size(); ++i)
-      text += ' ' + std::to_string(next++);
-    text += '\n';
+    std::size_t next = m_surface.points.size() + 1;
+    for(const std::vector<Point>& polyline : m_surface.polylines)
+    {
+      if(polyline.empty())
+        continue;
+      m_text += 'l';
+      for(std::size_t i = 0; i < polyline.size(); ++i)
+        m_text += ' ' + std::to_string(next++);
+      m_text += '\n';
+    }
   }
-  return text;
-}
+
+  const Surface_file& m_surface;
+  bool m_has_normals, m_has_corner_uv, m_has_uv, m_has_colors = false;
+  // Indices of the texture coordinates of corners, beginning with 1
+  std::unordered_map<std::array<double, 2>, std::size_t, boost::hash<std::array<double, 2>>>
+      m_texture_index;
+  std::string m_text;
+};
+
+} // namespace
+
+std::string to_obj(const Surface_file& surface) { return Obj_writer(surface).write(); }
 
 } // namespace program

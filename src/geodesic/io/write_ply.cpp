@@ -20,97 +20,144 @@ bool is_byte_color(const std::pair<const std::string, std::vector<double>>& prop
                      [](double x) { return x >= 0. && x <= 255. && x == std::floor(x); });
 }
 
-} // namespace
-
-std::string to_ply(const Surface_file& surface)
+template <typename Values>
+void append_little_endian_values(std::string& bytes, const Values& values)
 {
-  std::size_t polyline_points = 0, edges = surface.edges.size();
-  for(const std::vector<Point>& polyline : surface.polylines)
+  for(const auto& value : values)
+    append_little_endian(bytes, value);
+}
+
+// Writes a surface. The points of its polylines follow its own points.
+class Ply_writer
+{
+public:
+  explicit Ply_writer(const Surface_file& surface) : m_surface(surface)
   {
-    polyline_points += polyline.size();
-    edges += polyline.empty() ? 0 : polyline.size() - 1;
+    for(const auto& property : surface.properties)
+      m_is_byte_property.push_back(is_byte_color(property));
   }
-  // The number of corners is a byte, which all readers accept. The program writes only triangles.
-  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                      std::to_string(surface.points.size() + polyline_points) +
-                      "\nproperty double x\nproperty double y\nproperty double z\n";
-  if(!surface.normals.empty())
-    bytes += "property double nx\nproperty double ny\nproperty double nz\n";
-  std::vector<bool> is_byte_property;
-  for(const auto& property : surface.properties)
+
+  std::string write()
   {
-    is_byte_property.push_back(is_byte_color(property));
-    bytes += (is_byte_property.back() ? "property uchar " : "property double ") +
-             to_identifier(property.first) + "\n";
+    append_vertex_header();
+    append_face_header();
+    append_edge_header();
+    m_bytes += "end_header\n";
+    append_vertices();
+    append_faces();
+    append_edges();
+    return std::move(m_bytes);
   }
-  const auto append_properties = [&](auto value_of)
+
+private:
+  void append_vertex_header()
+  {
+    std::size_t number_of_vertices = m_surface.points.size();
+    for(const std::vector<Point>& polyline : m_surface.polylines)
+      number_of_vertices += polyline.size();
+    m_bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+              std::to_string(number_of_vertices) +
+              "\nproperty double x\nproperty double y\nproperty double z\n";
+    if(!m_surface.normals.empty())
+      m_bytes += "property double nx\nproperty double ny\nproperty double nz\n";
+    std::size_t k = 0;
+    for(const auto& [name, values] : m_surface.properties)
+      m_bytes += (m_is_byte_property[k++] ? "property uchar " : "property double ") +
+                 to_identifier(name) + "\n";
+  }
+
+  void append_face_header()
+  {
+    if(m_surface.number_of_polygons() == 0)
+      return;
+    // The number of corners is a byte, which all readers accept. The program writes only triangles.
+    m_bytes += "element face " + std::to_string(m_surface.number_of_polygons()) +
+               "\nproperty list uchar int vertex_indices\n";
+    for(const auto& [name, vectors] : m_surface.vectors)
+      for(const char* axis : {"_x", "_y", "_z"})
+        m_bytes += "property double " + to_identifier(name) + axis + "\n";
+    for(const auto& [name, numbers] : m_surface.face_numbers)
+      m_bytes += "property uint " + to_identifier(name) + "\n";
+  }
+
+  void append_edge_header()
+  {
+    std::size_t number_of_edges = m_surface.edges.size();
+    for(const std::vector<Point>& polyline : m_surface.polylines)
+      number_of_edges += polyline.empty() ? 0 : polyline.size() - 1;
+    if(number_of_edges > 0)
+      m_bytes += "element edge " + std::to_string(number_of_edges) +
+                 "\nproperty int vertex1\nproperty int vertex2\n";
+  }
+
+  template <typename Function>
+  void append_properties(Function value_of)
   {
     std::size_t k = 0;
-    for(const auto& property : surface.properties)
-      if(const double value = value_of(property.second); is_byte_property[k++])
-        append_little_endian(bytes, static_cast<std::uint8_t>(value));
+    for(const auto& property : m_surface.properties)
+      if(const double value = value_of(property.second); m_is_byte_property[k++])
+        append_little_endian(m_bytes, static_cast<std::uint8_t>(value));
       else
-        append_little_endian(bytes, value);
-  };
-  if(surface.number_of_polygons() > 0)
-  {
-    bytes += "element face " + std::to_string(surface.number_of_polygons()) +
-             "\nproperty list uchar int vertex_indices\n";
-    for(const auto& [name, vectors] : surface.vectors)
-      for(const char* axis : {"_x", "_y", "_z"})
-        bytes += "property double " + to_identifier(name) + axis + "\n";
-    for(const auto& [name, numbers] : surface.face_numbers)
-      bytes += "property uint " + to_identifier(name) + "\n";
+        append_little_endian(m_bytes, value);
   }
-  if(edges > 0)
-    bytes +=
-        "element edge " + std::to_string(edges) + "\nproperty int vertex1\nproperty int vertex2\n";
-  bytes += "end_header\n";
 
-  for(std::size_t i = 0; i < surface.points.size(); ++i)
+  void append_vertices()
   {
-    for(const double x : surface.points[i])
-      append_little_endian(bytes, x);
-    if(!surface.normals.empty())
-      for(const double x : surface.normals[i])
-        append_little_endian(bytes, x);
-    append_properties([i](const std::vector<double>& values) { return values[i]; });
-  }
-  for(const std::vector<Point>& polyline : surface.polylines)
-    for(const Point& point : polyline)
+    for(std::size_t i = 0; i < m_surface.points.size(); ++i)
     {
-      for(const double x : point)
-        append_little_endian(bytes, x);
-      for(std::size_t k = 0; k < 3 && !surface.normals.empty(); ++k)
-        append_little_endian(bytes, 0.);
-      append_properties([](const std::vector<double>&) { return 0.; });
+      append_little_endian_values(m_bytes, m_surface.points[i]);
+      if(!m_surface.normals.empty())
+        append_little_endian_values(m_bytes, m_surface.normals[i]);
+      append_properties([i](const std::vector<double>& values) { return values[i]; });
     }
-  for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
-  {
-    append_little_endian(
-        bytes, static_cast<std::uint8_t>(surface.polygon_begin[f + 1] - surface.polygon_begin[f]));
-    for(std::size_t c = surface.polygon_begin[f]; c < surface.polygon_begin[f + 1]; ++c)
-      append_little_endian(bytes, surface.corners[c]);
-    for(const auto& [name, vectors] : surface.vectors)
-      for(const double x : vectors[f])
-        append_little_endian(bytes, x);
-    for(const auto& [name, numbers] : surface.face_numbers)
-      append_little_endian(bytes, numbers[f]);
+    for(const std::vector<Point>& polyline : m_surface.polylines)
+      for(const Point& point : polyline)
+      {
+        append_little_endian_values(m_bytes, point);
+        if(!m_surface.normals.empty())
+          append_little_endian_values(m_bytes, Point{0., 0., 0.});
+        append_properties([](const std::vector<double>&) { return 0.; });
+      }
   }
-  for(const auto& edge : surface.edges)
-    for(const std::uint32_t end : edge)
-      append_little_endian(bytes, end);
-  std::size_t begin = surface.points.size();
-  for(const std::vector<Point>& polyline : surface.polylines)
+
+  void append_faces()
   {
-    for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
+    const std::vector<std::size_t>& begin = m_surface.polygon_begin;
+    for(std::size_t f = 0; f < m_surface.number_of_polygons(); ++f)
     {
-      append_little_endian(bytes, static_cast<std::uint32_t>(begin + i));
-      append_little_endian(bytes, static_cast<std::uint32_t>(begin + i + 1));
+      append_little_endian(m_bytes, static_cast<std::uint8_t>(begin[f + 1] - begin[f]));
+      for(std::size_t c = begin[f]; c < begin[f + 1]; ++c)
+        append_little_endian(m_bytes, m_surface.corners[c]);
+      for(const auto& [name, vectors] : m_surface.vectors)
+        append_little_endian_values(m_bytes, vectors[f]);
+      for(const auto& [name, numbers] : m_surface.face_numbers)
+        append_little_endian(m_bytes, numbers[f]);
     }
-    begin += polyline.size();
   }
-  return bytes;
-}
+
+  void append_edges()
+  {
+    for(const auto& edge : m_surface.edges)
+      append_little_endian_values(m_bytes, edge);
+    std::size_t begin = m_surface.points.size();
+    for(const std::vector<Point>& polyline : m_surface.polylines)
+    {
+      for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
+      {
+        append_little_endian(m_bytes, static_cast<std::uint32_t>(begin + i));
+        append_little_endian(m_bytes, static_cast<std::uint32_t>(begin + i + 1));
+      }
+      begin += polyline.size();
+    }
+  }
+
+  const Surface_file& m_surface;
+  std::vector<bool> m_is_byte_property; // #properties: whether the values are written as bytes
+  std::string m_bytes;
+};
+
+} // namespace
+
+std::string to_ply(const Surface_file& surface) { return Ply_writer(surface).write(); }
 
 } // namespace program

@@ -32,89 +32,115 @@ std::vector<double> flatten(const std::vector<std::array<double, N>>& rows)
   return values;
 }
 
-std::string cell_section(const char* section, const std::vector<std::int64_t>& corners,
-                         const std::vector<std::int64_t>& offsets)
+// Cells of one kind: the indices of their points, concatenated, and the end of each cell.
+struct Cells
+{
+  std::vector<std::int64_t> points, offsets;
+};
+
+std::string cell_section(const char* section, const Cells& cells)
 {
   return std::string("      <") + section + ">\n" +
-         data_array("connectivity", "Int64", 1, corners) +
-         data_array("offsets", "Int64", 1, offsets) + "      </" + section + ">\n";
+         data_array("connectivity", "Int64", 1, cells.points) +
+         data_array("offsets", "Int64", 1, cells.offsets) + "      </" + section + ">\n";
+}
+
+// The points of the polylines follow those of the surface.
+Cells polyline_cells(const Surface_file& surface)
+{
+  Cells lines;
+  auto next = static_cast<std::int64_t>(surface.points.size());
+  for(const std::vector<Point>& polyline : surface.polylines)
+  {
+    for(std::size_t i = 0; i < polyline.size(); ++i)
+      lines.points.push_back(next++);
+    lines.offsets.push_back(static_cast<std::int64_t>(lines.points.size()));
+  }
+  return lines;
+}
+
+// Most viewers show points without polygons only if each point is a cell.
+Cells point_cells(const Surface_file& surface)
+{
+  Cells cells;
+  if(surface.number_of_polygons() == 0)
+    for(std::size_t i = 0; i < surface.points.size(); ++i)
+    {
+      cells.points.push_back(static_cast<std::int64_t>(i));
+      cells.offsets.push_back(static_cast<std::int64_t>(i) + 1);
+    }
+  return cells;
+}
+
+// Returns the data of the points. The points of polylines have the value zero.
+std::string point_data(const Surface_file& surface, std::size_t number_of_points)
+{
+  std::string text = "      <PointData>\n";
+  if(!surface.normals.empty())
+  {
+    std::vector<Point> normals = surface.normals;
+    normals.resize(number_of_points, Point{0., 0., 0.});
+    text += data_array("Normals", "Float64", 3, flatten(normals));
+  }
+  if(!surface.uv.empty())
+  {
+    std::vector<std::array<double, 2>> uv = surface.uv;
+    uv.resize(number_of_points, std::array<double, 2>{0., 0.});
+    text += data_array("uv", "Float64", 2, flatten(uv));
+  }
+  for(const auto& [name, property] : surface.properties)
+  {
+    std::vector<double> values = property;
+    values.resize(number_of_points, 0.);
+    text += data_array(name, "Float64", 1, values);
+  }
+  return text + "      </PointData>\n";
+}
+
+// Returns the data of the cells, or an empty text if there are none. The point and line cells
+// precede the polygons and have the value zero.
+std::string cell_data(const Surface_file& surface, std::size_t number_of_other_cells)
+{
+  if(surface.vectors.empty() && surface.face_numbers.empty())
+    return {};
+  std::string text = "      <CellData>\n";
+  for(const auto& [name, vectors] : surface.vectors)
+  {
+    std::vector<Point> values(number_of_other_cells, Point{0., 0., 0.});
+    values.insert(values.end(), vectors.begin(), vectors.end());
+    text += data_array(name, "Float64", 3, flatten(values));
+  }
+  for(const auto& [name, numbers] : surface.face_numbers)
+  {
+    std::vector<double> values(number_of_other_cells, 0.);
+    values.insert(values.end(), numbers.begin(), numbers.end());
+    text += data_array(name, "Float64", 1, values);
+  }
+  return text + "      </CellData>\n";
 }
 
 } // namespace
 
 std::string to_vtp(const Surface_file& surface)
 {
-  std::vector<Point> points = surface.points, normals = surface.normals;
-  std::vector<std::int64_t> verts, vert_offsets, lines, line_offsets;
+  const Cells verts = point_cells(surface), lines = polyline_cells(surface),
+              polys = {{surface.corners.begin(), surface.corners.end()},
+                       {surface.polygon_begin.begin() + 1, surface.polygon_begin.end()}};
+  std::vector<Point> points = surface.points;
   for(const std::vector<Point>& polyline : surface.polylines)
-  {
-    for(const Point& point : polyline)
-    {
-      lines.push_back(static_cast<std::int64_t>(points.size()));
-      points.push_back(point);
-    }
-    line_offsets.push_back(static_cast<std::int64_t>(lines.size()));
-  }
-  // Most viewers show points without polygons only if each point is a cell.
-  if(surface.number_of_polygons() == 0)
-    for(std::size_t i = 0; i < surface.points.size(); ++i)
-    {
-      verts.push_back(static_cast<std::int64_t>(i));
-      vert_offsets.push_back(static_cast<std::int64_t>(i) + 1);
-    }
-  const std::vector<std::int64_t> corners(surface.corners.begin(), surface.corners.end());
-  const std::vector<std::int64_t> offsets(surface.polygon_begin.begin() + 1,
-                                          surface.polygon_begin.end());
+    points.insert(points.end(), polyline.begin(), polyline.end());
+  const auto count = [](const Cells& cells) { return std::to_string(cells.offsets.size()); };
 
-  std::string text = "<?xml version=\"1.0\"?>\n"
-                     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\""
-                     " header_type=\"UInt64\">\n  <PolyData>\n    <Piece NumberOfPoints=\"" +
-                     std::to_string(points.size()) + "\" NumberOfVerts=\"" +
-                     std::to_string(vert_offsets.size()) + "\" NumberOfLines=\"" +
-                     std::to_string(line_offsets.size()) +
-                     "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(offsets.size()) +
-                     "\">\n      <PointData>\n";
-  if(!normals.empty())
-  {
-    normals.resize(points.size(), Point{0., 0., 0.});
-    text += data_array("Normals", "Float64", 3, flatten(normals));
-  }
-  if(!surface.uv.empty())
-  {
-    std::vector<std::array<double, 2>> uv = surface.uv;
-    uv.resize(points.size(), std::array<double, 2>{0., 0.});
-    text += data_array("uv", "Float64", 2, flatten(uv));
-  }
-  for(const auto& [name, property] : surface.properties)
-  {
-    std::vector<double> values = property;
-    values.resize(points.size(), 0.);
-    text += data_array(name, "Float64", 1, values);
-  }
-  text += "      </PointData>\n";
-  if(!surface.vectors.empty() || !surface.face_numbers.empty())
-  {
-    // Cell data begin with the point and line cells, which precede the polygons.
-    text += "      <CellData>\n";
-    for(const auto& [name, vectors] : surface.vectors)
-    {
-      std::vector<Point> values(vert_offsets.size() + line_offsets.size(), Point{0., 0., 0.});
-      values.insert(values.end(), vectors.begin(), vectors.end());
-      text += data_array(name, "Float64", 3, flatten(values));
-    }
-    for(const auto& [name, numbers] : surface.face_numbers)
-    {
-      std::vector<double> values(vert_offsets.size() + line_offsets.size(), 0.);
-      values.insert(values.end(), numbers.begin(), numbers.end());
-      text += data_array(name, "Float64", 1, values);
-    }
-    text += "      </CellData>\n";
-  }
-  text += "      <Points>\n" + data_array("Points", "Float64", 3, flatten(points)) +
-          "      </Points>\n" + cell_section("Verts", verts, vert_offsets) +
-          cell_section("Lines", lines, line_offsets) + cell_section("Polys", corners, offsets) +
-          "    </Piece>\n  </PolyData>\n</VTKFile>\n";
-  return text;
+  return "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\""
+         " header_type=\"UInt64\">\n  <PolyData>\n    <Piece NumberOfPoints=\"" +
+         std::to_string(points.size()) + "\" NumberOfVerts=\"" + count(verts) +
+         "\" NumberOfLines=\"" + count(lines) + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
+         count(polys) + "\">\n" + point_data(surface, points.size()) +
+         cell_data(surface, verts.offsets.size() + lines.offsets.size()) + "      <Points>\n" +
+         data_array("Points", "Float64", 3, flatten(points)) + "      </Points>\n" +
+         cell_section("Verts", verts) + cell_section("Lines", lines) +
+         cell_section("Polys", polys) + "    </Piece>\n  </PolyData>\n</VTKFile>\n";
 }
 
 } // namespace program

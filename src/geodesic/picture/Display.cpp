@@ -73,7 +73,7 @@ Display::Display()
   }
   int pipe_ends[2];
   if(::pipe(pipe_ends) != 0)
-    throw Usage_error("--picture: no pipe to a display server can be opened.");
+    throw Usage_error("--picture: a pipe to the display server cannot be created.");
   const ::pid_t parent = ::getpid();
   m_server = ::fork();
   if(m_server == 0)
@@ -107,7 +107,8 @@ Display::Display()
     return;
   }
   if(!can_open_display())
-    throw Usage_error("--picture: there is no display and Xvfb does not start; is it installed?");
+    throw Usage_error(
+        "--picture: no display is available and Xvfb cannot be started; is it installed?");
 }
 
 Display::~Display()
@@ -127,7 +128,8 @@ namespace program {
 
 Display::Display()
 {
-  throw Usage_error("--picture: this program was built without VTK, which draws the pictures.");
+  throw Usage_error(
+      "--picture: pictures are not supported, because this program was built without VTK.");
 }
 
 Display::~Display() = default;

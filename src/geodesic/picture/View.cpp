@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/View.h"
 
+#include "picture/vectors.h"
+
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace program {
 
 namespace {
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point cross(const Point& a, const Point& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 constexpr double radians_per_degree = 0.017453292519943295;
 
@@ -112,6 +108,46 @@ void fit_distance(View& view, const std::vector<Point>& samples, double aspect)
 }
 
 } // namespace
+
+std::vector<Point> sample_points(const std::vector<Point>& points,
+                                 const std::vector<std::uint32_t>& corners)
+{
+  constexpr std::size_t number_of_samples = 60000;
+  if(corners.empty())
+    return points;
+  std::vector<double> cumulative_area(corners.size() / 3);
+  double sum = 0.;
+  for(std::size_t f = 0; f < cumulative_area.size(); ++f)
+  {
+    const Point& a = points[corners[3 * f]];
+    sum += length(cross(points[corners[3 * f + 1]] - a, points[corners[3 * f + 2]] - a));
+    cumulative_area[f] = sum;
+  }
+  std::vector<Point> samples;
+  std::mt19937 generator(1);
+  const auto random = [&generator] { return static_cast<double>(generator()) / 4294967296.; };
+  for(std::size_t i = 0; i < number_of_samples && sum > 0.; ++i)
+  {
+    const auto entry =
+        std::upper_bound(cumulative_area.begin(), cumulative_area.end(), random() * sum);
+    const std::size_t f = std::min<std::size_t>(
+        static_cast<std::size_t>(entry - cumulative_area.begin()), cumulative_area.size() - 1);
+    double s = random(), t = random();
+    if(s + t > 1.)
+    {
+      s = 1. - s;
+      t = 1. - t;
+    }
+    const Point& a = points[corners[3 * f]];
+    samples.push_back(a + s * (points[corners[3 * f + 1]] - a) +
+                      t * (points[corners[3 * f + 2]] - a));
+  }
+  // Corners are included, because the outermost ones limit the distance of the camera.
+  const std::size_t stride = corners.size() / 100000 + 1;
+  for(std::size_t i = 0; i < corners.size(); i += stride)
+    samples.push_back(points[corners[i]]);
+  return samples;
+}
 
 View choose_view(const std::vector<Point>& samples, const std::vector<Point>& visible_points,
                  double aspect, const std::vector<Point>& normals)

@@ -5,6 +5,7 @@
 
 #include "io/Surface_file.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace program {
@@ -18,6 +19,11 @@ struct View
 };
 
 inline constexpr double view_angle = 20.; // degrees, vertical
+
+// Returns points distributed over the triangles, or all points if there are no triangles. The
+// result is deterministic.
+std::vector<Point> sample_points(const std::vector<Point>& points,
+                                 const std::vector<std::uint32_t>& corners);
 
 // Returns a view that shows much of the surface and many of the given points. The up direction is
 // estimated from the bounding box. The surface fills an image whose width : height equals

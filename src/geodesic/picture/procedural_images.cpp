@@ -20,8 +20,8 @@ std::optional<Color> compass_rose_color(double x, double y)
     return std::nullopt;
   if(radius > 0.94 || (radius > 0.86 && radius < 0.88))
     return ink;
-  // Long rays at multiples of 90 degrees, and shorter ones between them. Each ray is a kite. On each
-  // side of its axis, one edge runs from the tip to the point where the ray leaves the center.
+  // Long rays at multiples of 90 degrees, and shorter ones between them. Each ray is a kite. On
+  // each side of its axis, one edge runs from the tip to the point where the ray leaves the center.
   const double quarter_turn = std::acos(0.), quarter_turns = std::atan2(y, x) / quarter_turn;
   for(const double offset : {0., 0.5})
   {

@@ -24,23 +24,62 @@ Surface repair(Surface_file file, const std::string& filename, unsigned threads)
   }
   surface.is_repaired = triangulate(surface.file, filename);
   if(!surface.is_mesh())
-    fail(filename, "none of its faces has three different corners");
+    fail(filename, "all of its faces are degenerate");
   // Halfedge indices have 32 bits.
   if(surface.file.corners.size() >= (std::size_t{1} << 31))
-    fail(filename, "it has more than 2^31 half-edges");
+    fail(filename, "it has more than 2^31 halfedges");
   surface.connectivity = orient(surface.file);
   surface.is_repaired = surface.is_repaired || surface.connectivity.number_of_flipped_faces > 0 ||
                         surface.connectivity.number_of_cut_edges > 0;
   return surface;
 }
 
-Mesh make_mesh(const Surface& surface)
+namespace {
+
+using Halfedge = Mesh::Halfedge_index;
+
+std::uint32_t next_corner(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+std::uint32_t previous_corner(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+// Links the boundary halfedges. At a vertex with several fans, those of all fans are linked to one
+// cycle. Circulators around the vertex therefore visit all fans. `halfedge` contains the halfedge
+// of each corner.
+void link_boundary_halfedges(const Surface& surface, const std::vector<Halfedge>& halfedge,
+                             Mesh& mesh)
 {
-  using Halfedge = Mesh::Halfedge_index;
   const std::vector<std::uint32_t>&corner = surface.file.corners,
         &twin = surface.connectivity.twins;
-  const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
-  const auto previous = [](std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; };
+  std::vector<Halfedge> first_boundary_halfedge(surface.file.points.size());
+  for(std::uint32_t h = 0; h < corner.size(); ++h)
+  {
+    if(twin[h] != no_halfedge)
+      continue;
+    std::uint32_t last = previous_corner(h);
+    while(twin[last] != no_halfedge)
+      last = previous_corner(twin[last]);
+    const Halfedge incoming = mesh.opposite(halfedge[h]), outgoing = mesh.opposite(halfedge[last]);
+    Halfedge& first_incoming = first_boundary_halfedge[corner[h]];
+    if(first_incoming == Mesh::null_halfedge())
+    {
+      first_incoming = incoming;
+      mesh.set_next(incoming, outgoing);
+    }
+    else
+    {
+      mesh.set_next(incoming, mesh.next(first_incoming));
+      mesh.set_next(first_incoming, outgoing);
+    }
+    // CGAL requires that the halfedge of a boundary vertex is a boundary halfedge.
+    mesh.set_halfedge(Mesh::Vertex_index(corner[h]), incoming);
+  }
+}
+
+} // namespace
+
+Mesh make_mesh(const Surface& surface)
+{
+  const std::vector<std::uint32_t>&corner = surface.file.corners,
+        &twin = surface.connectivity.twins;
   const auto vertex = [](std::uint32_t v) { return Mesh::Vertex_index(v); };
 
   Mesh mesh;
@@ -55,41 +94,16 @@ Mesh make_mesh(const Surface& surface)
   for(std::uint32_t h = 0; h < corner.size(); ++h)
     halfedge[h] = twin[h] != no_halfedge && twin[h] < h
                       ? mesh.opposite(halfedge[twin[h]])
-                      : mesh.add_edge(vertex(corner[h]), vertex(corner[next(h)]));
+                      : mesh.add_edge(vertex(corner[h]), vertex(corner[next_corner(h)]));
   for(std::uint32_t h = 0; h < corner.size(); ++h)
   {
     if(h % 3 == 0)
       mesh.set_halfedge(mesh.add_face(), halfedge[h]);
     mesh.set_face(halfedge[h], Mesh::Face_index(h / 3));
-    mesh.set_next(halfedge[h], halfedge[next(h)]);
-    mesh.set_halfedge(vertex(corner[next(h)]), halfedge[h]);
+    mesh.set_next(halfedge[h], halfedge[next_corner(h)]);
+    mesh.set_halfedge(vertex(corner[next_corner(h)]), halfedge[h]);
   }
-
-  // At a vertex with several fans, the boundary halfedges of all fans are linked to one cycle.
-  // Circulators around the vertex therefore visit all fans.
-  std::vector<Halfedge> first_boundary_halfedge(surface.file.points.size());
-  for(std::uint32_t h = 0; h < corner.size(); ++h)
-  {
-    if(twin[h] != no_halfedge)
-      continue;
-    std::uint32_t last = previous(h);
-    while(twin[last] != no_halfedge)
-      last = previous(twin[last]);
-    const Halfedge incoming = mesh.opposite(halfedge[h]), outgoing = mesh.opposite(halfedge[last]);
-    Halfedge& first_incoming = first_boundary_halfedge[corner[h]];
-    if(first_incoming == Mesh::null_halfedge())
-    {
-      first_incoming = incoming;
-      mesh.set_next(incoming, outgoing);
-    }
-    else
-    {
-      mesh.set_next(incoming, mesh.next(first_incoming));
-      mesh.set_next(first_incoming, outgoing);
-    }
-    // CGAL requires that the halfedge of a boundary vertex is a boundary halfedge.
-    mesh.set_halfedge(vertex(corner[h]), incoming);
-  }
+  link_boundary_halfedges(surface, halfedge, mesh);
   return mesh;
 }
 

@@ -196,7 +196,7 @@ bool triangulate(Surface_file& surface, const std::string& name)
     }
     if(face.size() > max_corners)
       fail(name, "face " + std::to_string(f) + " has " + std::to_string(face.size()) +
-                     " corners, more than 10,000");
+                     " vertices, but the maximum is 10,000");
     points.clear();
     for(const std::uint32_t corner : face)
       points.push_back(surface.points[corner]);
