@@ -4,7 +4,7 @@
 // Compares geodesic distances on a mesh with distances on the point cloud of its vertices.
 #include <CGAL/Geodesic_processing.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Surface_mesh.h>
@@ -14,7 +14,7 @@
 #include <fstream>
 #include <iostream>
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;

@@ -4,7 +4,7 @@
 // Computes the logarithmic map at the pole of a spherical patch and its distortion.
 #include <CGAL/Geodesic_processing.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <iostream>
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Point_2 = Kernel::Point_2;
 using Mesh = CGAL::Surface_mesh<Point>;

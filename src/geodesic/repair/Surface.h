@@ -6,13 +6,13 @@
 #include "io/Surface_file.h"
 #include "repair/repair.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Surface_mesh.h>
 
 namespace program {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
 
