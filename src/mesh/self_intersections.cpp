@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/self_intersections.h"
 
+#include "core/exact_predicates.h"
+
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -14,8 +15,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-using Kernel = Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
+using Triangle = std::array<Vec3, 3>;
 using Box =
     Box_intersection_d::Box_with_info_d<double, 3, Index, Box_intersection_d::ID_FROM_BOX_ADDRESS>;
 
@@ -28,6 +28,14 @@ constexpr double min_product = 1e-290;
 // Leaves CGAL's box intersection early, which offers no other possibility.
 struct Limit_reached
 {};
+
+Bbox_3 bounding_box(const Triangle& triangle)
+{
+  Bbox_3 result;
+  for(const Vec3& p : triangle)
+    result += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+  return result;
+}
 
 class Self_intersection_finder
 {
@@ -42,10 +50,10 @@ public:
     std::vector<std::array<Index, 2>> result;
     std::vector<Box> boxes;
     for(Index f = 0; f < m_corners.size(); ++f)
-      if(const auto [p, q, r] = points_of(f); collinear(p, q, r))
+      if(const Triangle triangle = triangle_at(f); is_degenerate(triangle))
         result.push_back({f, f});
       else
-        boxes.emplace_back(p.bbox() + q.bbox() + r.bbox(), f);
+        boxes.emplace_back(bounding_box(triangle), f);
     std::vector<const Box*> addresses;
     for(const Box& box : boxes)
       addresses.push_back(&box);
@@ -70,14 +78,9 @@ public:
   }
 
 private:
-  std::array<Point, 3> points_of(Index f) const
+  Triangle triangle_at(Index f) const
   {
-    const auto point = [&](int k)
-    {
-      const Vec3& p = m_points[m_corners[f][k]];
-      return Point(p[0], p[1], p[2]);
-    };
-    return {point(0), point(1), point(2)};
+    return {m_points[m_corners[f][0]], m_points[m_corners[f][1]], m_points[m_corners[f][2]]};
   }
 
   bool intersect_properly(Index f, Index g) const
@@ -94,22 +97,19 @@ private:
         }
     if(number_shared == 1 && are_separated(f, in_f[0], g, in_g[0]))
       return false;
-    const auto p = points_of(f), q = points_of(g);
-    const Kernel::Triangle_3 a(p[0], p[1], p[2]), b(q[0], q[1], q[2]);
+    const Triangle p = triangle_at(f), q = triangle_at(g);
     if(number_shared == 0)
-      return do_intersect(a, b);
+      return triangles_intersect(p, q);
     if(number_shared == 1)
     {
-      const auto opposite = [](const std::array<Point, 3>& corners, int i)
-      { return Kernel::Segment_3(corners[(i + 1) % 3], corners[(i + 2) % 3]); };
-      return do_intersect(a, opposite(q, in_g[0])) || do_intersect(b, opposite(p, in_f[0]));
+      const auto opposite_edge = [](const Triangle& triangle, int i) {
+        return std::array<Vec3, 2>{triangle[(i + 1) % 3], triangle[(i + 2) % 3]};
+      };
+      return triangle_intersects_segment(p, opposite_edge(q, in_g[0])) ||
+             triangle_intersects_segment(q, opposite_edge(p, in_f[0]));
     }
-    if(number_shared == 3)
-      return true;
-    // Triangles with a common edge intersect if they are coplanar and on the same side of it.
-    const Point &x = p[in_f[0]], &y = p[in_f[1]], &z = p[3 - in_f[0] - in_f[1]],
-                &w = q[3 - in_g[0] - in_g[1]];
-    return coplanar(x, y, z, w) && coplanar_orientation(x, y, z, w) == POSITIVE;
+    return number_shared == 3 || is_folded_flat(p[in_f[0]], p[in_f[1]], p[3 - in_f[0] - in_f[1]],
+                                                q[3 - in_g[0] - in_g[1]]);
   }
 
   // Tests in floating-point arithmetic whether a plane through the shared corner separates two

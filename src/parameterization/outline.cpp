@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/outline.h>
 
-#include "core/orientation.h"
+#include "core/exact_predicates.h"
 
 #include <algorithm>
 #include <numeric>

@@ -5,7 +5,7 @@
 #include "mesh/Split_mesh.h"
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
-#include "core/orientation.h"
+#include "core/exact_predicates.h"
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include "core/unfold.h"
 

@@ -5,6 +5,10 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
+// Gaps are closed by the search over all triangulations.  CGAL need not instantiate the others.
+#define CGAL_HOLE_FILLING_DO_NOT_USE_CDT2
+#define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
+
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/fill_holes.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 #include <algorithm>
@@ -17,6 +18,8 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 using Halfedge = Mesh::Halfedge_index;
 using Vertex = Mesh::Vertex_index;
+// Delaunay triangulations need exact predicates.
+using Exact_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
 // The search over all triangulations takes cubic time: 0.1 s for 200 edges.
 constexpr std::size_t max_edges_for_cubic_search = 200;
@@ -130,7 +133,7 @@ Halfedge find_nondegenerate_edge(const Mesh& mesh, const Points& points, const H
 }
 
 // Returns the points divided by a power of two, so that products of coordinates do not overflow.
-Mesh::Property_map<Vertex, Kernel::Point_3> scaled_points(Mesh& mesh)
+Mesh::Property_map<Vertex, Exact_point> scaled_points(Mesh& mesh)
 {
   double largest = 0.;
   for(const Kernel::Point_3& p : mesh.points())
@@ -139,7 +142,7 @@ Mesh::Property_map<Vertex, Kernel::Point_3> scaled_points(Mesh& mesh)
   int exponent = 0;
   std::frexp(largest, &exponent);
   const auto scaled = [exponent](double x) { return std::ldexp(x, -exponent); };
-  const auto result = mesh.add_property_map<Vertex, Kernel::Point_3>("v:scaled_point").first;
+  const auto result = mesh.add_property_map<Vertex, Exact_point>("v:scaled_point").first;
   for(const Vertex v : mesh.vertices())
   {
     const Kernel::Point_3& p = mesh.point(v);
