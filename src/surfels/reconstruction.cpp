@@ -177,7 +177,7 @@ void for_each_edge(const Face& face, const Use& use)
     use(Edge{std::min(face[k], face[(k + 1) % 3]), std::max(face[k], face[(k + 1) % 3])});
 }
 
-// Closes small gaps by triangulations of minimum area.  A gap is only closed if all new triangles
+// Closes small gaps by triangulations with the smallest maximum dihedral angle, then minimum area.
 // are small and agree with the normals.  Their edges must not exist already, except on the boundary
 // cycle.
 void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>& points,
