@@ -12,4 +12,23 @@ Eigen_system eigen_system(const Eigen::MatrixXd& matrix)
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+Symmetric_solver::Symmetric_solver(const Eigen::MatrixXd& matrix) : m_ldlt(matrix) {}
+
+Eigen::MatrixXd Symmetric_solver::solve(const Eigen::MatrixXd& rhs) const
+{
+  return m_ldlt.solve(rhs);
+}
+
+Eigen::MatrixXd small_product(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                              const Eigen::Ref<const Eigen::MatrixXd>& b)
+{
+  return a * b;
+}
+
+Eigen::MatrixXd small_transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                                         const Eigen::Ref<const Eigen::MatrixXd>& b)
+{
+  return a.transpose() * b;
+}
+
 } // namespace CGAL::Geodesic_processing::internal

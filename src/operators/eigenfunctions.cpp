@@ -176,7 +176,7 @@ public:
     const Eigen_system solver = eigen_system(m_projected_operator);
     m_values = solver.values.reverse();
     m_vectors = solver.vectors.rowwise().reverse();
-    const Matrix residual = m_residual * m_vectors.bottomRows(m_last_block_size);
+    const Matrix residual = small_product(m_residual, m_vectors.bottomRows(m_last_block_size));
     m_number_of_converged = 0;
     while(m_number_of_converged < m_size &&
           (remaining_dimension() == 0 ||
@@ -202,7 +202,8 @@ private:
     Matrix coefficients, projected;
     for(int sweep = 0; sweep < 2; ++sweep)
     {
-      block -= m_inverse.null_space() * (m_inverse.null_space().transpose() * block);
+      block -= small_product(m_inverse.null_space(),
+                             small_transposed_product(m_inverse.null_space(), block));
       if(m_size == 0)
         continue;
       transposed_product(m_basis.leftCols(m_size), block, coefficients);

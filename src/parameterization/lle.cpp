@@ -206,13 +206,13 @@ Matrix spectral_embedding(const std::vector<Local_chart>& charts)
     for(std::size_t j = 0; j < w.size(); ++j)
       residual(i, charts[i].neighbor[j]) -= w[j];
   }
-  const Eigen_system eigen = eigen_system(residual.transpose() * residual);
+  const Eigen_system eigen = eigen_system(small_transposed_product(residual, residual));
   // The constant vector is in the span of the three lowest eigenvectors, but need not be one of
   // them.
   Matrix lowest = eigen.vectors.leftCols(3);
   lowest.rowwise() -= lowest.colwise().mean();
-  const Eigen_system centered = eigen_system(lowest.transpose() * lowest);
-  return lowest * centered.vectors.rightCols(2);
+  const Eigen_system centered = eigen_system(small_transposed_product(lowest, lowest));
+  return small_product(lowest, centered.vectors.rightCols(2));
 }
 
 // Applies the linear map that fits the squared distances of neighbors to those on the surface by
@@ -277,23 +277,9 @@ Matrix isomap_embedding(const Base_points& base)
 class Arap_fit
 {
 public:
-  explicit Arap_fit(const std::vector<Local_chart>& charts) : m_charts(charts)
-  {
-    const auto n = Eigen::Index(charts.size());
-    Matrix laplacian = Matrix::Zero(n, n);
-    for(Eigen::Index i = 0; i < n; ++i)
-      for(std::size_t j = 0; j < charts[i].neighbor.size(); ++j)
-      {
-        const double w = 1. / charts[i].squared_distance[j];
-        const auto k = Eigen::Index(charts[i].neighbor[j]);
-        laplacian(i, i) += w;
-        laplacian(k, k) += w;
-        laplacian(i, k) -= w;
-        laplacian(k, i) -= w;
-      }
-    laplacian(0, 0) *= 2.;
-    m_solver.compute(laplacian);
-  }
+  explicit Arap_fit(const std::vector<Local_chart>& charts)
+      : m_charts(charts), m_solver(stiffness_matrix(charts))
+  {}
 
   // Returns the positions fitted from an initial embedding, and the remaining energy.
   Matrix fit(Matrix f, double& energy) const
@@ -336,6 +322,25 @@ public:
   }
 
 private:
+  // Returns the Laplacian, with one vertex pinned.
+  static Matrix stiffness_matrix(const std::vector<Local_chart>& charts)
+  {
+    const auto n = Eigen::Index(charts.size());
+    Matrix laplacian = Matrix::Zero(n, n);
+    for(Eigen::Index i = 0; i < n; ++i)
+      for(std::size_t j = 0; j < charts[i].neighbor.size(); ++j)
+      {
+        const double w = 1. / charts[i].squared_distance[j];
+        const auto k = Eigen::Index(charts[i].neighbor[j]);
+        laplacian(i, i) += w;
+        laplacian(k, k) += w;
+        laplacian(i, k) -= w;
+        laplacian(k, i) -= w;
+      }
+    laplacian(0, 0) *= 2.;
+    return laplacian;
+  }
+
   // Computes the covariance of a chart and its image.
   Eigen::Matrix2d covariance(std::size_t i, const Matrix& f) const
   {
@@ -348,7 +353,7 @@ private:
   }
 
   const std::vector<Local_chart>& m_charts;
-  Eigen::LDLT<Matrix> m_solver;
+  Symmetric_solver m_solver;
 };
 
 } // namespace

@@ -6,7 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -74,17 +74,26 @@ struct Pivot
   std::vector<std::array<float, 2>> flow;
 };
 
+constexpr std::size_t max_number_of_pivots = 6; // in an interpolation
+
+// With a bounded size, Eigen expands products in place. Its kernels for large matrices take seconds
+// to compile.
+using Small_vector =
+    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_number_of_pivots, 1>;
+
 // Returns weights that sum to 1. The weighted mean of the pivots is close to the point, and the
 // weight of a distant pivot is small.
-Eigen::VectorXd interpolation_weights(const std::vector<const Pivot*>& pivots, const Vec3& point)
+Small_vector interpolation_weights(const std::vector<const Pivot*>& pivots, const Vec3& point)
 {
   const auto n = Eigen::Index(pivots.size());
-  Eigen::VectorXd size(n);
+  Small_vector size(n);
   for(Eigen::Index i = 0; i < n; ++i)
     size[i] = norm(pivots[std::size_t(i)]->point - point);
   const double unit = std::max(size.maxCoeff(), std::numeric_limits<double>::min());
   size = size.cwiseMax(1e-6 * unit) / unit;
-  Eigen::MatrixXd moment_equations(4, n); // for weights times distances
+  // for weights times distances
+  Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::ColMajor, 4, max_number_of_pivots>
+      moment_equations(4, n);
   for(Eigen::Index i = 0; i < n; ++i)
   {
     const Vec3 direction = (1. / unit) * (pivots[std::size_t(i)]->point - point);
@@ -94,7 +103,7 @@ Eigen::VectorXd interpolation_weights(const std::vector<const Pivot*>& pivots, c
   // The pivots can be coplanar or collinear: regularize.
   Eigen::Matrix4d normal_matrix = moment_equations * moment_equations.transpose();
   normal_matrix.diagonal().array() += 1e-6 * normal_matrix.trace();
-  Eigen::VectorXd result =
+  Small_vector result =
       (moment_equations.transpose() * normal_matrix.ldlt().solve(Eigen::Vector4d(1., 0., 0., 0.)))
           .cwiseQuotient(size);
   return result / result.sum();
@@ -134,7 +143,6 @@ public:
   void add(std::unique_ptr<Pivot> pivot) { m_pivots.push_back(std::move(pivot)); }
 
 private:
-  static constexpr std::size_t number_of_neighbors = 6;
   static constexpr unsigned max_steps = 12;
 
   const Operators& operators() const { return m_solver.operators(); }
@@ -160,7 +168,7 @@ private:
     std::vector<std::pair<double, std::size_t>> distances_to_all;
     for(std::size_t i = 0; i < m_pivots.size(); ++i)
       distances_to_all.emplace_back(norm(m_pivots[i]->point - point), i);
-    const std::size_t number = std::min(number_of_neighbors, distances_to_all.size());
+    const std::size_t number = std::min(max_number_of_pivots, distances_to_all.size());
     std::partial_sort(distances_to_all.begin(), distances_to_all.begin() + std::ptrdiff_t(number),
                       distances_to_all.end());
     std::vector<const Pivot*> result;
@@ -184,7 +192,7 @@ private:
       }
     bounds.lower = std::max(bounds.lower, max_bound);
 
-    const Eigen::VectorXd weight = interpolation_weights(pivots, to);
+    const Small_vector weight = interpolation_weights(pivots, to);
     Field flow(operators().number_of_triangles(), Vec2{0., 0.});
     for(std::size_t i = 0; i < pivots.size(); ++i)
       for(std::size_t f = 0; f < flow.size(); ++f)

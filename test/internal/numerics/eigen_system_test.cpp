@@ -35,4 +35,22 @@ TEST(eigen_system, reads_only_the_lower_triangle)
   EXPECT_NEAR(eigen_system(matrix).values[1], 3., 1e-15);
 }
 
+TEST(Symmetric_solver, solves_for_each_column)
+{
+  Eigen::MatrixXd matrix(2, 2), rhs(2, 2), expected(2, 2);
+  matrix << 4., 0., 1., 2.; // the upper triangle is ignored
+  expected << 1., 3., 2., -1.;
+  rhs << 6., 11., 5., 1.;
+  EXPECT_LT((Symmetric_solver(matrix).solve(rhs) - expected).norm(), 1e-14);
+}
+
+TEST(small_product, multiplies_blocks)
+{
+  Eigen::MatrixXd a(2, 3), b(2, 1);
+  a << 1., 2., 3., 4., 5., 6.;
+  b << 1., -1.;
+  EXPECT_EQ(small_product(a.leftCols(2), b), Eigen::Vector2d(-1., -1.));
+  EXPECT_EQ(small_transposed_product(a.rightCols(2), b), Eigen::Vector2d(-3., -3.));
+}
+
 } // namespace
