@@ -178,8 +178,8 @@ void for_each_edge(const Face& face, const Use& use)
 }
 
 // Closes small gaps by triangulations with the smallest maximum dihedral angle, then minimum area.
-// are small and agree with the normals.  Their edges must not exist already, except on the boundary
-// cycle.
+// A gap is only closed if all new triangles are small and agree with the normals.  Their edges must
+// not exist already, except on the boundary cycle.
 void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>& points,
                 std::vector<Face>& faces)
 {
