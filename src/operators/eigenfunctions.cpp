@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/eigenfunctions.h"
 
-#include "numerics/eigen_system.h"
+#include "numerics/dense_solvers.h"
 
 #include <Eigen/SparseCholesky>
 

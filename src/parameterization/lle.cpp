@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/lle.h>
 
-#include "numerics/eigen_system.h"
+#include "numerics/dense_solvers.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

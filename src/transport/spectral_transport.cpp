@@ -3,7 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/transport/spectral_transport.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include "numerics/eigen_system.h"
+#include "numerics/dense_solvers.h"
 #include "operators/eigenfunctions.h"
 #include "transport/Group_lasso.h"
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_EIGEN_SYSTEM_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_EIGEN_SYSTEM_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_DENSE_SOLVERS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_DENSE_SOLVERS_H
 
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 
@@ -50,4 +50,4 @@ Eigen::MatrixXd small_transposed_product(const Eigen::Ref<const Eigen::MatrixXd>
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_EIGEN_SYSTEM_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_DENSE_SOLVERS_H

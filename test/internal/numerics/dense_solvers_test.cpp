@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numerics/eigen_system.h"
+#include "numerics/dense_solvers.h"
 
 #include <gtest/gtest.h>
 
