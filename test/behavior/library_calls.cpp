@@ -279,10 +279,10 @@ void solver(const Mesh& mesh)
   print("departure", departure.direction);
   print("polar angle", departure.polar_angle);
   print("canceled", is_canceled(
-                         [&] {
-                           return exact.compute(
-                               Vertex(1), params::callback(Callback([](double) { return false; })));
-                         }));
+                        [&] {
+                          return exact.compute(
+                              Vertex(1), params::callback(Callback([](double) { return false; })));
+                        }));
 }
 
 void path_finder(const Mesh& mesh)
