@@ -6,17 +6,11 @@
 #include <Eigen/QR>
 
 #include <algorithm>
-#include <array>
 #include <tuple>
-#include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
-
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-using Decomposition = Eigen::CompleteOrthogonalDecomposition<Matrix6>;
 
 // Returns the direction of smallest variance.
 Vec3 best_fit_plane_normal(const std::vector<Vec3>& points)
@@ -38,35 +32,6 @@ Vec3 best_fit_plane_normal(const std::vector<Vec3>& points)
   return {normal[0], normal[1], normal[2]};
 }
 
-// Returns the solution of minimum norm. Equivalent to decomposition.solve(), which also instantiates
-// reflections of blocks and takes nine seconds to compile.
-Vector6 solve(const Decomposition& decomposition, Vector6 c)
-{
-  const Matrix6& factors = decomposition.matrixQTZ();
-  const Eigen::Index rank = decomposition.rank(), defect = 6 - rank;
-  double workspace;
-  for(Eigen::Index k = 0; k < rank; ++k)
-    c.tail(6 - k).applyHouseholderOnTheLeft(factors.col(k).tail(5 - k), decomposition.hCoeffs()[k],
-                                            &workspace);
-  for(Eigen::Index k = rank - 1; k >= 0; --k)
-    if(c[k] != 0.)
-    {
-      c[k] /= factors(k, k);
-      for(Eigen::Index i = 0; i < k; ++i)
-        c[i] -= c[k] * factors(i, k);
-    }
-  c.tail(defect).setZero();
-  for(Eigen::Index k = 0; k < rank && defect > 0; ++k)
-  {
-    std::swap(c[k], c[rank - 1]);
-    c.tail(defect + 1)
-        .applyHouseholderOnTheLeft(factors.row(k).tail(defect).transpose(),
-                                   decomposition.zCoeffs()[k], &workspace);
-    std::swap(c[k], c[rank - 1]);
-  }
-  return decomposition.colsPermutation() * c;
-}
-
 } // namespace
 
 Quadric fit_quadric(const Vec3& origin, const std::vector<Vec3>& points)
@@ -80,25 +45,19 @@ Quadric fit_quadric(const Vec3& origin, const std::vector<Vec3>& points)
   std::tie(result.x, result.y) = tangent_frame(result.plane_normal);
 
   // In this unit, the sums of all monomials have the same order of magnitude.
-  Matrix6 normal_matrix = Matrix6::Zero();
-  Vector6 rhs = Vector6::Zero();
+  Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 1> rhs = Eigen::Matrix<double, 6, 1>::Zero(), monomials;
   for(const Vec3& p : points)
   {
     const Vec3 offset = (1. / result.length_unit) * (p - origin);
     const double u = dot(offset, result.x), v = dot(offset, result.y);
-    const std::array<double, 6> monomials = {1., u, v, 0.5 * u * u, u * v, 0.5 * v * v};
-    const double height = dot(offset, result.plane_normal);
-    for(int i = 0; i < 6; ++i)
-    {
-      for(int j = 0; j < 6; ++j)
-        normal_matrix(i, j) += monomials[i] * monomials[j];
-      rhs[i] += height * monomials[i];
-    }
+    monomials << 1., u, v, 0.5 * u * u, u * v, 0.5 * v * v;
+    normal_matrix += monomials * monomials.transpose();
+    rhs += dot(offset, result.plane_normal) * monomials;
   }
-  Decomposition decomposition;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 6, 6>> decomposition;
   decomposition.setThreshold(1e-12); // if the points are on a conic, the system is singular
-  decomposition.compute(normal_matrix);
-  const Vector6 c = solve(decomposition, rhs);
+  const Eigen::Matrix<double, 6, 1> c = decomposition.compute(normal_matrix).solve(rhs);
   std::copy(c.data(), c.data() + 6, result.coefficients.begin());
   return result;
 }
