@@ -15,10 +15,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Flags of Window_state::Vertex::state.
-constexpr Index reached_flag = 1;   // is in Window_state::reached
-constexpr Index finalized_flag = 2; // has relaxed its neighbors
-
 // A path that bends by this angle counts as straight: its length changes by a fraction of 1e-17
 // only.
 constexpr double straight_angle_tolerance = 1e-8;
@@ -128,12 +124,12 @@ bool Window_propagator::relax(Index v, const Window_arrival& arrival, Index sour
     return false;
   if(m_goal && !m_goal->reach(v, distance))
     return false;
-  if(!(vertex.state & reached_flag))
+  if(!(vertex.state & Window_state::reached_flag))
     m_state.reached.push_back(v);
   // A finalized vertex is not reopened by round-off errors.
-  const bool is_unchanged =
-      (vertex.state & finalized_flag) && distance >= vertex.distance * (1. - merge_tolerance);
-  vertex = {arrival, source, vertex.state | reached_flag};
+  const bool is_unchanged = (vertex.state & Window_state::finalized_flag) &&
+                            distance >= vertex.distance * (1. - merge_tolerance);
+  vertex = {arrival, source, vertex.state | Window_state::reached_flag};
   if(!is_unchanged)
     m_state.queue.push(Index(m_state.triangles->corner.size() + v), distance);
   return true;
@@ -144,7 +140,7 @@ bool Window_propagator::relax(Index v, const Window_arrival& arrival, Index sour
 void Window_propagator::finalize_vertex(Index v)
 {
   const Surface_arrays& t = *m_state.triangles;
-  m_state.vertices[v].state |= finalized_flag;
+  m_state.vertices[v].state |= Window_state::finalized_flag;
   for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
   {
     relax_along_edge(t.ring[i], false);

@@ -15,7 +15,7 @@ constexpr std::size_t rhs_block_size = 32;
 
 // Number of right-hand sides that are processed at once: two registers.
 template <typename Pack>
-constexpr std::size_t lanes = 2 * sizeof(Pack) / sizeof(double);
+constexpr std::size_t double_lanes = 2 * sizeof(Pack) / sizeof(double);
 constexpr std::size_t tile_rows = 4;
 
 // Computes target[r] -= sum over k of factor(r, k) source[k].
@@ -24,7 +24,7 @@ GEODESIC_PROCESSING_INLINE void subtract(const double* factor, std::size_t row_s
                                          std::size_t column_stride, std::size_t number,
                                          const double* source, double* const* target)
 {
-  constexpr std::size_t half = lanes<Pack> / 2;
+  constexpr std::size_t half = double_lanes<Pack> / 2;
   Pack sum[rows][2];
   for(std::size_t r = 0; r < rows; ++r)
   {
@@ -66,7 +66,7 @@ template <typename Pack>
 GEODESIC_PROCESSING_INLINE void divide(double* target, double divisor)
 {
   const double factor = 1. / divisor;
-  for(std::size_t j = 0; j < lanes<Pack>; ++j)
+  for(std::size_t j = 0; j < double_lanes<Pack>; ++j)
     target[j] *= factor;
 }
 
@@ -147,7 +147,7 @@ GEODESIC_PROCESSING_INLINE void solve(const Supernodes& factor, double* x, std::
     if(is_zero[i] && std::all_of(diagonal_x, diagonal_x + block.columns * rhs_block_size,
                                  [](double value) { return value == 0.; }))
       continue;
-    for(std::size_t lane = 0; lane < columns; lane += lanes<Pack>)
+    for(std::size_t lane = 0; lane < columns; lane += double_lanes<Pack>)
       solve_forward<Pack>(block, x + lane);
     // The block of the first row below the diagonal contains all other rows, too: marking it
     // suffices.
@@ -164,7 +164,7 @@ GEODESIC_PROCESSING_INLINE void solve(const Supernodes& factor, double* x, std::
     for(std::size_t r = 0; r < block.rows; ++r)
       std::copy_n(x + std::size_t(block.row[r]) * rhs_block_size, rhs_block_size,
                   rows + r * rhs_block_size);
-    for(std::size_t lane = 0; lane < columns; lane += lanes<Pack>)
+    for(std::size_t lane = 0; lane < columns; lane += double_lanes<Pack>)
       solve_backward<Pack>(block, rows + lane);
     std::copy_n(rows, block.columns * rhs_block_size, x + block.column_begin * rhs_block_size);
   }

@@ -339,7 +339,7 @@ double relative_deviation(const std::vector<Projection>& chain, std::size_t numb
 constexpr double coarse_level_tolerance = 1e-6;
 
 // The maximum number of times that segments off the surface are halved.
-constexpr int max_refinements = 4;
+constexpr int max_segment_refinements = 4;
 
 // Halves the segments whose midpoint is farther from the surface, or from its boundary, than a
 // twentieth of the segment's length.  Returns false if there are no such segments.
@@ -531,7 +531,8 @@ Shortened_path shorten_path(const Path_surface& surface, const Path_options& opt
     path = resample(surface, path, number_of_nodes);
     relative_length.assign(number_of_nodes - 1, 1.);
   }
-  for(int i = 0; i < max_refinements && refine_segments(surface, relative_length, path); ++i)
+  for(int i = 0; i < max_segment_refinements && refine_segments(surface, relative_length, path);
+      ++i)
     result.levels.push_back(minimize_energy(surface, options, relative_length, path));
   result.number_of_control_points = path.size() - 2;
   if(options.constraint == Path_constraint::energy)

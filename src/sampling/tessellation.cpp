@@ -26,7 +26,7 @@ constexpr double stencil_ratio = 0.25; // length relative to the radius of the c
 
 // Initial step length relative to the distance of the mean. Cells follow their centers, so that
 // consecutive steps tend to have the same direction.
-constexpr double overrelaxation = 1.8;
+constexpr double initial_step_ratio = 1.8;
 
 // Shorter moves of a center, relative to the radius of its cell, are omitted.
 constexpr double min_move_ratio = 1e-3;
@@ -267,7 +267,7 @@ private:
     if(!mean)
       return;
     std::vector<double> new_distances(vertices.size());
-    for(double step_length = std::min(overrelaxation * norm(*mean), radius / slowness);
+    for(double step_length = std::min(initial_step_ratio * norm(*mean), radius / slowness);
         step_length * slowness > min_move_ratio * radius; step_length /= 2.)
     {
       const Surface_location location =

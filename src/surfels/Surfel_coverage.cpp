@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // The third largest of 60 numbers is their 95th percentile.
-constexpr std::size_t number_of_neighbors = 60, number_above_percentile = 3;
+constexpr std::size_t coverage_neighbors = 60, number_above_percentile = 3;
 // Clamped points remain covered despite round-off errors.
 constexpr double clamping_ratio = 1. - 1e-6;
 
@@ -82,7 +82,7 @@ bool Surfel_coverage::is_covered(const Vec3& point, Index vertex) const
   if(norm(point - m_cloud.point[vertex]) <= m_certain_radius[vertex])
     return true;
   thread_local std::vector<Kd_tree::Neighbor> neighbors;
-  m_cloud.tree.nearest(m_cloud.point, point, number_of_neighbors, neighbors);
+  m_cloud.tree.nearest(m_cloud.point, point, coverage_neighbors, neighbors);
   Largest_values largest;
   for(const Kd_tree::Neighbor& neighbor : neighbors)
     largest.add(m_cloud.spacing[neighbor.point]);

@@ -29,7 +29,7 @@ constexpr Index cluster_size = 8;
 // Maximum differences of heights and slopes between consistent estimates, and maximum distance of a
 // surfel from a fit, in standard deviations.  The slopes of scans are correlated: with a slope
 // tolerance of 3, the error of paths on a scanned plane was 0.060 % instead of 0.046 %.
-constexpr double height_tolerance = 3., slope_tolerance = 5., outlier_tolerance = 3.5;
+constexpr double height_tolerance = 3., slope_tolerance = 5., residual_tolerance = 3.5;
 
 template <typename Value>
 Value median(std::vector<Value>& values)
@@ -406,7 +406,7 @@ private:
   void visit_fits(Index i, Scratch& scratch, Visit visit) const
   {
     const Surfel_frame surfel_frame = frame_of(m_cloud, i);
-    const double max_residual = outlier_tolerance * std::sqrt(m_variances.height[i]);
+    const double max_residual = residual_tolerance * std::sqrt(m_variances.height[i]);
     const double height_weight = 1. / m_variances.height[i],
                  slope_weight = 1. / m_variances.slope[i];
     Quadric_fit fit;

@@ -16,9 +16,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Over-relaxation close to 2 converges fastest.  1.7 takes a tenth more steps.
-constexpr double relaxation_factor = 1.9;
-
 // The number of steps between two updates of the upper bound, which cost as much as one step.
 constexpr unsigned steps_per_check = 10;
 
@@ -147,6 +144,8 @@ private:
   // of the flows is x plus the gradients of `potentials`.
   void step()
   {
+    // Over-relaxation close to 2 converges fastest.  1.7 takes a tenth more steps.
+    constexpr double relaxation_factor = 1.9;
     auto& [z, u, m, mass_dual, factor] = m_state;
     for(std::size_t i = 0; i < size(); ++i)
       for(std::size_t f = 0; f < z[i].size(); ++f)

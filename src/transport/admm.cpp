@@ -9,13 +9,6 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-namespace {
-
-// Over-relaxation saves two of five steps compared to 1.
-constexpr double relaxation_factor = 1.7;
-
-} // namespace
-
 Admm::Admm(const Operators& operators, Projection projection, State initial_state)
     : m_operators(operators), m_projection(std::move(projection)), m_state(std::move(initial_state))
 {
@@ -34,6 +27,8 @@ Admm::Admm(const Operators& operators, Projection projection, State initial_stat
 
 void Admm::advance(unsigned steps)
 {
+  // Over-relaxation saves two of five steps compared to 1.
+  constexpr double relaxation_factor = 1.7;
   auto& [z, u] = m_state;
   Field x(z.size());
   for(unsigned step = 0; step < steps; ++step)

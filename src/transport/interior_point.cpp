@@ -12,39 +12,38 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Otherwise the operators of Cone_vector would hide these.
-using internal::dot;
-using internal::operator+;
-using internal::operator*;
-
 // A vector of the space of the second-order cone scalar >= |vector|.
 struct Cone_vector
 {
   double scalar;
   Vec2 vector;
+
+  friend Cone_vector operator+(const Cone_vector& x, const Cone_vector& y)
+  {
+    return {x.scalar + y.scalar, x.vector + y.vector};
+  }
+  friend Cone_vector operator*(double factor, const Cone_vector& x)
+  {
+    return {factor * x.scalar, factor * x.vector};
+  }
+  friend double dot(const Cone_vector& x, const Cone_vector& y)
+  {
+    return x.scalar * y.scalar + internal::dot(x.vector, y.vector);
+  }
+  // Returns the cone's determinant: positive inside the cone, zero on its boundary.
+  friend double determinant(const Cone_vector& x)
+  {
+    return x.scalar * x.scalar - internal::dot(x.vector, x.vector);
+  }
 };
 
-Cone_vector operator+(const Cone_vector& x, const Cone_vector& y)
-{
-  return {x.scalar + y.scalar, x.vector + y.vector};
-}
-Cone_vector operator*(double factor, const Cone_vector& x)
-{
-  return {factor * x.scalar, factor * x.vector};
-}
-double dot(const Cone_vector& x, const Cone_vector& y)
-{
-  return x.scalar * y.scalar + dot(x.vector, y.vector);
-}
-// Returns the cone's determinant: positive inside the cone, zero on its boundary.
-double determinant(const Cone_vector& x) { return x.scalar * x.scalar - dot(x.vector, x.vector); }
-
-// The Jordan product of the cone, and its inverse: quotient(b, a) is the x with product(a, x) = b.
-Cone_vector product(const Cone_vector& a, const Cone_vector& b)
+// The Jordan product of the cone, and its inverse: jordan_quotient(b, a) is the x with
+// jordan_product(a, x) = b.
+Cone_vector jordan_product(const Cone_vector& a, const Cone_vector& b)
 {
   return {dot(a, b), a.scalar * b.vector + b.scalar * a.vector};
 }
-Cone_vector quotient(const Cone_vector& b, const Cone_vector& a)
+Cone_vector jordan_quotient(const Cone_vector& b, const Cone_vector& a)
 {
   const double scalar = (a.scalar * b.scalar - dot(a.vector, b.vector)) / determinant(a);
   return {scalar, (1. / a.scalar) * (b.vector - scalar * a.vector)};
@@ -390,8 +389,8 @@ private:
       const Cone_vector s =
           m_scaled_dual[f] + steps.primal * scaling.apply_inverse({0., m_gradient_step[f]});
       const Cone_vector z = m_scaled_dual[f] + steps.dual * scaling.apply(m_dual_step[f]);
-      m_target[f] = m_target[f] +
-                    scaling.apply_inverse(quotient(correction(product(s, z)), m_scaled_dual[f]));
+      m_target[f] = m_target[f] + scaling.apply_inverse(jordan_quotient(
+                                      correction(jordan_product(s, z)), m_scaled_dual[f]));
     }
     const auto correction_of_slack = [&](double product) {
       return m_exit_weight * correction(Cone_vector{product / m_exit_weight, {0., 0.}}).scalar;

@@ -48,8 +48,10 @@ struct CGAL_GEODESIC_PROCESSING_EXPORT Window_state
   struct Vertex : Window_arrival
   {
     Index source = none;
-    Index state = 0; // flags of Window_propagator
+    Index state = 0; // flags
   };
+  static constexpr Index reached_flag = 1;   // is in `reached`
+  static constexpr Index finalized_flag = 2; // has relaxed its neighbors
 
   Window_state(std::shared_ptr<const Surface_arrays> triangles,
                std::shared_ptr<const std::vector<bool>> is_pseudo_source);
