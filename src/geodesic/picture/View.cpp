@@ -120,7 +120,7 @@ std::vector<Point> sample_points(const std::vector<Point>& points,
   for(std::size_t f = 0; f < cumulative_area.size(); ++f)
   {
     const Point& a = points[corners[3 * f]];
-    sum += length(cross(points[corners[3 * f + 1]] - a, points[corners[3 * f + 2]] - a));
+    sum += norm(cross(points[corners[3 * f + 1]] - a, points[corners[3 * f + 2]] - a));
     cumulative_area[f] = sum;
   }
   std::vector<Point> samples;

@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> to_polyline_data(const std::vector<std::vector<Poin
     // The tube filter fails for consecutive points that coincide.
     std::vector<vtkIdType> ids;
     for(const Point& p : polyline)
-      if(ids.empty() || length(p - points.back()) > 1e-6)
+      if(ids.empty() || norm(p - points.back()) > 1e-6)
       {
         ids.push_back(static_cast<vtkIdType>(points.size()));
         points.push_back(p);

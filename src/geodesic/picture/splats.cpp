@@ -47,7 +47,7 @@ void append_disk(const Point& center, const Point& normal, double radius, const 
   constexpr std::uint32_t number_of_sides = 10;
   const Point helper = std::abs(normal[0]) < 0.6 ? Point{1., 0., 0.} : Point{0., 1., 0.};
   Point u = cross(normal, helper);
-  u = (1. / length(u)) * u;
+  u = (1. / norm(u)) * u;
   const Point v = cross(normal, u);
   const auto first_index = static_cast<std::uint32_t>(mesh.points.size());
   for(std::uint32_t k = 0; k < number_of_sides; ++k)
