@@ -24,7 +24,7 @@ struct Atlas_options
   bool draws_plane = false;
 };
 
-struct Result
+struct Atlas_result
 {
   std::vector<UV> corner_uv;     // #corners
   std::vector<long long> charts; // #faces
@@ -36,7 +36,7 @@ class Surface_painter
 {
 public:
   // If image.width is 0, no image is projected.
-  Surface_painter(const Surface_file& file, const Result& result, const Image& image)
+  Surface_painter(const Surface_file& file, const Atlas_result& result, const Image& image)
       : m_file(file), m_result(result), m_image(image)
   {
     if(std::all_of(color_names.begin(), color_names.end(),
@@ -109,18 +109,19 @@ private:
   }
 
   const Surface_file& m_file;
-  const Result& m_result;
+  const Atlas_result& m_result;
   const Image& m_image;
   std::vector<const std::vector<double>*> m_colors;
   Point m_low, m_high;
 };
 
 // Computes the charts, the UV coordinates and the texture.
-Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& image, Job& job)
+Atlas_result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& image,
+                        Job& job)
 {
   job.begin_stage("query");
   const Surface_file& file = job.surface().file;
-  Result result;
+  Atlas_result result;
   std::vector<UV> uv(mesh.number_of_halfedges());
   result.charts.assign(file.number_of_polygons(), -1);
   const Value_map<Mesh::Halfedge_index, UV> corner_uv = {&uv};
@@ -215,7 +216,7 @@ void run_atlas(Job& job, const Atlas_options& options)
     throw Input_error(surface.name + ": atlas needs a mesh, but the input is a cloud.");
   const Image image = options.image.empty() ? Image() : read_image(options.image);
   job.begin_stage("prepare");
-  const Result result = make_atlas(make_mesh(surface), options, image, job);
+  const Atlas_result result = make_atlas(make_mesh(surface), options, image, job);
 
   job.begin_stage("write");
   job.write_values(

@@ -103,7 +103,8 @@ Surface_file divided_file(const GP::internal::Base_mesh& base)
 
 // Draws each base face in its own color. Vertices are duplicated per base face, because colors are
 // stored at vertices.
-void draw(const std::string& filename, const GP::internal::Base_mesh& base, bool show_edges)
+void draw_base_mesh(const std::string& filename, const GP::internal::Base_mesh& base,
+                    bool show_edges)
 {
   Surface_file regions;
   Picture picture{&regions};
@@ -164,7 +165,7 @@ void run_base(Job& job, const Base_options& options)
   job.write_values([&] { return text; });
   const GP::internal::Base_mesh& base_mesh = base.map().base();
   if(!job.picture().empty())
-    draw(job.picture(), base_mesh, options.is_divided);
+    draw_base_mesh(job.picture(), base_mesh, options.is_divided);
   if(!job.output().empty())
     write_surface_file(job.output(),
                        options.is_divided ? divided_file(base_mesh) : base_file(base_mesh));

@@ -36,7 +36,7 @@ struct Decal_placement
   double width = 0., height = 0.;
 };
 
-struct Result
+struct Decal_result
 {
   std::vector<Color> colors;     // #vertices
   std::size_t faces = 0;         // number of covered faces
@@ -66,7 +66,7 @@ std::size_t choose_number_of_segments(const std::vector<GP::Decal_layer<Mesh>>& 
 }
 
 void bake(const std::vector<GP::Decal_layer<Mesh>>& layers, std::size_t number_of_segments,
-          std::size_t number_of_corners, Result& result)
+          std::size_t number_of_corners, Decal_result& result)
 {
   const auto texture = GP::bake_decals(layers, number_of_segments,
                                        {default_color[0], default_color[1], default_color[2], 1.});
@@ -82,9 +82,9 @@ void bake(const std::vector<GP::Decal_layer<Mesh>>& layers, std::size_t number_o
 }
 
 template <typename Surface_type>
-Result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
-                    const std::vector<Decal_placement>& placements, const Decal_options& options,
-                    Job& job)
+Decal_result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
+                          const std::vector<Decal_placement>& placements,
+                          const Decal_options& options, Job& job)
 {
   using Placer = GP::Decal_placer<Surface_type, GP::internal::Runtime_method>;
   GP::internal::Log_kind kind;
@@ -92,7 +92,7 @@ Result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
     kind.method = GP::internal::Log_method::exact;
   Placer placer(domain, kind);
   job.begin_stage("query");
-  Result result;
+  Decal_result result;
   result.colors.assign(job.surface().file.points.size(), default_color);
   std::vector<GP::Decal_layer<Surface_type>> layers;
   for(const Decal_placement& placement : placements)
@@ -128,8 +128,9 @@ Result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
 
 // Computes the decals and the resulting vertex colors and texture.
 template <typename Surface_type>
-Result find_decals(const Surface_type& surface, const std::vector<Decal_placement>& placements,
-                   const Decal_options& options, Job& job)
+Decal_result find_decals(const Surface_type& surface,
+                         const std::vector<Decal_placement>& placements,
+                         const Decal_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
   return place_decals<Surface_type>(domain, placements, options, job);
@@ -223,7 +224,7 @@ std::vector<Decal_placement> make_placements(const Surface& surface, const Decal
 // Converts a color channel from [0, 1] to a byte value, as files store it.
 double to_byte(double channel) { return std::round(255. * std::clamp(channel, 0., 1.)); }
 
-void write_output(const std::string& filename, const Surface& surface, const Result& result)
+void write_output(const std::string& filename, const Surface& surface, const Decal_result& result)
 {
   Surface_file file = surface.file;
   if(file_extension(filename) == "obj")
@@ -258,7 +259,7 @@ void run_decal(Job& job, const Decal_options& options)
   const std::vector<Decal_placement> placements = make_placements(surface, options);
 
   job.begin_stage("prepare");
-  Result result;
+  Decal_result result;
   visit_surface(surface, [&](const auto& mesh_or_cloud)
                 { result = find_decals(mesh_or_cloud, placements, options, job); });
   job.result()["faces"] = result.faces;

@@ -26,7 +26,7 @@ struct Distance_options
   Speed_options speed_options;
 };
 
-struct Result
+struct Distance_result
 {
   std::vector<double> values; // #vertices
   // For the picture:
@@ -60,11 +60,12 @@ std::vector<double> metric_distances(const Domain& domain, const Distance_option
 
 // Computes the distance of each vertex.
 template <typename Surface_type>
-Result compute_distances(const Surface_type& surface, const Distance_options& options, Job& job)
+Distance_result compute_distances(const Surface_type& surface, const Distance_options& options,
+                                  Job& job)
 {
   const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
-  Result result;
+  Distance_result result;
   std::vector<GP::Source<Surface_type>> sources;
   if(!options.source.empty())
     for(const std::size_t vertex : parse_indices(options.source, "--source"))
@@ -142,7 +143,7 @@ void run_distance(Job& job, const Distance_options& options)
     fail(surface.name, "a cloud has no boundary");
 
   job.begin_stage("prepare");
-  Result result;
+  Distance_result result;
   visit_surface(surface, [&](const auto& mesh_or_cloud)
                 { result = compute_distances(mesh_or_cloud, options, job); });
   const double largest_distance = report_distances(job, result.values);

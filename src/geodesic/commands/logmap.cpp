@@ -23,7 +23,7 @@ struct Logmap_options
   std::string distances = "euclidean";
 };
 
-struct Result
+struct Logmap_result
 {
   std::vector<std::array<double, 2>> uv; // #vertices, NaN outside of the map
   Point base, normal;
@@ -32,8 +32,9 @@ struct Result
 };
 
 template <typename Surface_type>
-Result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
-                   const GP::internal::Log_kind& kind, const Logmap_options& options, Job& job)
+Logmap_result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
+                          const GP::internal::Log_kind& kind, const Logmap_options& options,
+                          Job& job)
 {
   GP::Logarithmic_map<Surface_type, GP::internal::Runtime_method> map(domain, kind);
   job.begin_stage("query");
@@ -49,7 +50,7 @@ Result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
     compute(vertex_at<Surface_type>(parse_indices(options.base, "--base").front()));
   else
     compute(locate(domain, options.base_at, "--base-at"));
-  Result result;
+  Logmap_result result;
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
     result.uv.push_back(map(vertex_at<Surface_type>(i)));
   const auto frame = map.frame();
@@ -65,7 +66,7 @@ Result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
 
 // Computes the logarithmic map.
 template <typename Surface_type>
-Result find_map(const Surface_type& surface, const Logmap_options& options, Job& job)
+Logmap_result find_map(const Surface_type& surface, const Logmap_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
   using GP::internal::Log_method;
@@ -115,7 +116,7 @@ std::array<double, 2> to_picture_uv(const std::array<double, 2>& uv, double size
 
 // Draws circles and rays around the base point. On a mesh, only faces that are inside of the map
 // and not cut are textured.
-void draw_map(const Job& job, const Result& result)
+void draw_map(const Job& job, const Logmap_result& result)
 {
   Surface_file file = job.surface().file;
   const double size = largest_radius(result.uv);
@@ -157,7 +158,7 @@ void run_logmap(Job& job, const Logmap_options& options)
     check_vertex(surface, parse_indices(options.base, "--base").front());
 
   job.begin_stage("prepare");
-  Result result;
+  Logmap_result result;
   visit_surface(surface,
                 [&](const auto& mesh_or_cloud) { result = find_map(mesh_or_cloud, options, job); });
   job.result()["values"] = result.reached;

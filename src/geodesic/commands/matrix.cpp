@@ -32,7 +32,7 @@ struct Matrix_options
 
 using Sparse_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-struct Result
+struct Matrix_result
 {
   std::vector<std::size_t> vertices; // of the rows and columns
   Eigen::MatrixXd dense;             // either `dense` or `sparse` is used
@@ -46,10 +46,10 @@ struct Result
 // Returns the picture's values: distances from the row vertices. If all vertices are rows, returns
 // the number of entries of each row.
 template <typename Domain>
-std::vector<double> picture_values(const Domain& domain,
-                                   const std::vector<typename Domain::Vertex>& descriptors,
-                                   GP::internal::Distance_method method, const Result& result,
-                                   const Matrix_options& options, const Job& job)
+std::vector<double>
+picture_values(const Domain& domain, const std::vector<typename Domain::Vertex>& descriptors,
+               GP::internal::Distance_method method, const Matrix_result& result,
+               const Matrix_options& options, const Job& job)
 {
   std::vector<double> values(job.surface().file.points.size());
   if(options.has_all_vertices())
@@ -69,12 +69,12 @@ std::vector<double> picture_values(const Domain& domain,
 
 // Selects the row vertices and computes the distances between them.
 template <typename Surface_type>
-Result compute_matrix(const Surface_type& surface, const Matrix_options& options, Job& job)
+Matrix_result compute_matrix(const Surface_type& surface, const Matrix_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
   job.begin_stage("query");
-  Result result;
+  Matrix_result result;
   if(!options.sources.empty())
     result.vertices = parse_indices(options.sources, "--sources");
   else if(options.number)
@@ -133,7 +133,7 @@ void append_entries(std::string& text, const Sparse_matrix& matrix, Eigen::Index
 }
 
 // Returns one line per row, or per entry of a sparse matrix.
-std::string values_text(const Result& result)
+std::string values_text(const Matrix_result& result)
 {
   std::string text;
   append_entries(text, result.sparse, 0);
@@ -149,7 +149,7 @@ std::string values_text(const Result& result)
 // Returns the matrix in Matrix Market format. "coordinate" uses 1-based indices, "array" is
 // column-major. The distances of most methods are not symmetric to the last digit, so the matrix
 // is "general".
-std::string to_matrix_market(const Result& result, bool is_sparse)
+std::string to_matrix_market(const Matrix_result& result, bool is_sparse)
 {
   std::string text = "%%MatrixMarket matrix ";
   text += is_sparse ? "coordinate" : "array";
@@ -201,7 +201,7 @@ void run_matrix(Job& job, const Matrix_options& options)
       check_vertex(surface, vertex);
 
   job.begin_stage("prepare");
-  Result result;
+  Matrix_result result;
   visit_surface(surface, [&](const auto& mesh_or_cloud)
                 { result = compute_matrix(mesh_or_cloud, options, job); });
   const std::size_t rows = result.vertices.size();

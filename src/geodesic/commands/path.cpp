@@ -27,7 +27,7 @@ struct Path_options
   bool start = false; // also output the initial path in the surfel graph
 };
 
-struct Result
+struct Path_result
 {
   std::vector<Point> points;
   double length = 0., front_distance = 0.;
@@ -46,7 +46,7 @@ std::size_t parse_vertex(const Path_end& end)
 }
 
 template <typename Path>
-void copy_path(const Path& path, Result& result)
+void copy_path(const Path& path, Path_result& result)
 {
   for(const auto& p : path.points)
     result.points.push_back(coordinates(p));
@@ -56,7 +56,7 @@ void copy_path(const Path& path, Result& result)
 
 // Computes the path between two endpoints.
 template <typename Surface_type>
-Result find_path(const Surface_type& surface, const Path_options& options, Job& job)
+Path_result find_path(const Surface_type& surface, const Path_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
@@ -68,7 +68,7 @@ Result find_path(const Surface_type& surface, const Path_options& options, Job& 
   };
   const Path_endpoint from = endpoint(options.from), to = endpoint(options.to);
   job.begin_stage("query");
-  Result result;
+  Path_result result;
   std::visit(
       [&](const auto& begin, const auto& end)
       {
@@ -86,7 +86,7 @@ Result find_path(const Surface_type& surface, const Path_options& options, Job& 
 }
 
 // Computes the path of minimum energy on a cloud.
-Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job)
+Path_result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job)
 {
   Path_finder finder = make_path_finder(cloud, options.cloud, job);
   using Path_endpoint = std::variant<Path_finder::Vertex, Path_finder::Location>;
@@ -98,7 +98,7 @@ Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job
   };
   const Path_endpoint from = endpoint(options.from), to = endpoint(options.to);
   job.begin_stage("query");
-  Result result;
+  Path_result result;
   std::visit(
       [&](const auto& begin, const auto& end)
       {
@@ -138,7 +138,7 @@ void run_path(Job& job, const Path_options& options)
       check_vertex(surface, parse_vertex(*end));
 
   job.begin_stage("prepare");
-  Result result;
+  Path_result result;
   if(!surface.is_mesh() && options.method.empty())
     result = find_cloud_path(make_cloud(surface), options, job);
   else

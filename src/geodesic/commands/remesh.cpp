@@ -29,7 +29,7 @@ struct Remesh_options : Remeshing_options
   Speed_options speed_options;
 };
 
-struct Result
+struct Remesh_result
 {
   Surface_file file;
   std::string text; // location of each vertex: the lines of --values
@@ -64,7 +64,7 @@ void fill_and_report(Mesh& mesh, std::size_t max_edges, Job& job)
 
 // Computes the mesh and the locations of its vertices.
 template <typename Surface_type>
-Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job& job)
+Remesh_result find_mesh(const Surface_type& surface, const Remesh_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
@@ -80,7 +80,7 @@ Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job
                               .do_avoid_self_intersections(!options.allow_self_intersections)
                               .location_map(locations)
                               .speed_map(speed_map<typename Domain::Vertex>(speed));
-  Result result;
+  Remesh_result result;
   result.found = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, parameters);
   for(const auto v : mesh.vertices())
   {
@@ -109,7 +109,7 @@ void run_remesh(Job& job, const Remesh_options& options)
     fail(surface.name, "--fill-holes needs a mesh, but the input is a cloud");
 
   job.begin_stage("prepare");
-  Result result;
+  Remesh_result result;
   if(surface.is_mesh())
   {
     Mesh mesh = make_mesh(surface);

@@ -20,7 +20,7 @@ struct Sample_options
   Speed_options speed_options;
 };
 
-struct Result
+struct Sample_result
 {
   std::vector<Point> points;
   std::vector<Point> normals;           // of samples of a cloud
@@ -31,13 +31,13 @@ struct Result
 
 // Computes the samples.
 template <typename Surface_type>
-Result find_samples(const Surface_type& surface, const Sample_options& options, Job& job)
+Sample_result find_samples(const Surface_type& surface, const Sample_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
-  Result result;
+  Sample_result result;
   std::vector<typename Domain::Location> samples;
   const auto parameters = GP::parameters::random_seed(job.seed())
                               .covering_radius(options.spacing)
@@ -70,7 +70,7 @@ void run_sample(Job& job, const Sample_options& options)
   const Surface& surface = job.read();
 
   job.begin_stage("prepare");
-  Result result;
+  Sample_result result;
   visit_surface(surface, [&](const auto& mesh_or_cloud)
                 { result = find_samples(mesh_or_cloud, options, job); });
   const double radius = result.covering_radii.empty() ? std::numeric_limits<double>::infinity()

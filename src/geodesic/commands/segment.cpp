@@ -22,7 +22,7 @@ struct Segment_options
   Speed_options speed_options;
 };
 
-struct Result
+struct Segment_result
 {
   std::vector<long long> labels; // #polygons of a mesh, #points of a cloud
   std::vector<Point> centers;
@@ -32,13 +32,13 @@ struct Result
 
 // Computes the cells.
 template <typename Surface_type>
-Result find_cells(const Surface_type& surface, const Segment_options& options, Job& job)
+Segment_result find_cells(const Surface_type& surface, const Segment_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
-  Result result;
+  Segment_result result;
   const Surface_file& file = job.surface().file;
   result.labels.assign(is_mesh<Surface_type> ? file.number_of_polygons() : file.points.size(), -1);
   std::vector<typename Domain::Location> centers;
@@ -99,7 +99,7 @@ void run_segment(Job& job, const Segment_options& options)
     throw Input_error(job.input() + ": --discs needs a mesh, but the input is a cloud.");
 
   job.begin_stage("prepare");
-  Result result;
+  Segment_result result;
   visit_surface(surface, [&](const auto& mesh_or_cloud)
                 { result = find_cells(mesh_or_cloud, options, job); });
   job.result()["charts"] = result.centers.size();

@@ -17,7 +17,7 @@ struct Voronoi_options
   Speed_options speed_options;
 };
 
-struct Result
+struct Voronoi_result
 {
   std::vector<std::size_t> seeds;
   std::vector<long long> labels; // #vertices: index of the nearest seed, or -1 if unreached
@@ -28,13 +28,13 @@ struct Result
 
 // Computes the seeds, the nearest seed of each vertex and the bisectors.
 template <typename Surface_type>
-Result find_cells(const Surface_type& surface, const Voronoi_options& options, Job& job)
+Voronoi_result find_cells(const Surface_type& surface, const Voronoi_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
   using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
-  Result result;
+  Voronoi_result result;
   result.seeds = options.seeds.empty() ? farthest_vertices(domain, options.number, job, speed)
                                        : parse_indices(options.seeds, "--seeds");
   std::vector<Vertex> seeds;
@@ -76,7 +76,7 @@ void run_voronoi(Job& job, const Voronoi_options& options)
       check_vertex(surface, vertex);
 
   job.begin_stage("prepare");
-  Result result;
+  Voronoi_result result;
   visit_surface(surface, [&](const auto& mesh_or_cloud)
                 { result = find_cells(mesh_or_cloud, options, job); });
   job.result()["seeds"] = result.seeds;

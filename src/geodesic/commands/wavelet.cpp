@@ -49,7 +49,7 @@ double root_mean_square(const std::vector<Point>& a, const std::vector<Point>& b
 
 using Wavelet = GP::Subdivision_wavelet<Mesh>;
 
-struct Result
+struct Wavelet_result
 {
   std::vector<Point> points; // #vertices of the input
   std::vector<std::uint8_t> stream;
@@ -57,7 +57,7 @@ struct Result
 
 // Approximates the mesh by its largest wavelet coefficients. If a bit rate is given, the vertices
 // are decoded from the truncated stream.
-Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
+Wavelet_result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
 {
   const auto prediction = options.predictor == "linear" ? GP::Wavelet_prediction::linear
                                                         : GP::Wavelet_prediction::butterfly;
@@ -70,7 +70,7 @@ Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
                         std::llround(options.kept_percentage / 100. * double(n - coarsest)));
   wavelet.keep_largest(details, kept);
 
-  Result result;
+  Wavelet_result result;
   const double bytes =
       options.bits_per_vertex ? std::floor(*options.bits_per_vertex * double(n) / 8.) : 1e18;
   result.stream =
@@ -117,7 +117,7 @@ void run_wavelet(Job& job, const Wavelet_options& options)
   if(!surface.is_mesh())
     throw Input_error(job.input() + ": wavelet needs a mesh, but the input is a cloud.");
   job.begin_stage("prepare");
-  const Result result = approximate(make_mesh(surface), options, job);
+  const Wavelet_result result = approximate(make_mesh(surface), options, job);
   const double error = root_mean_square(surface.file.points, result.points);
   job.result()["rms"] = json_number(error);
   job.print_line("error           " + rounded_text(error) + " (root mean square)");

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const std::string& filename, int error)
+[[noreturn]] void fail_to_write(const std::string& filename, int error)
 {
   throw Output_error(filename + ": it cannot be written: " + std::strerror(error) + ".");
 }
@@ -107,7 +107,7 @@ void replace_file(const std::string& temporary, const std::string& filename)
   {
     const int error = errno;
     ::unlink(temporary.c_str());
-    fail(filename, error);
+    fail_to_write(filename, error);
   }
 }
 
@@ -116,16 +116,16 @@ void write_file(const std::string& filename, std::string_view bytes)
   std::error_code ignored;
   const auto status = fs::status(filename, ignored);
   if(fs::is_directory(status))
-    fail(filename, EISDIR);
+    fail_to_write(filename, EISDIR);
   const bool is_special_file = fs::exists(status) && !fs::is_regular_file(status);
   const std::string name = is_special_file ? filename : temporary_filename(filename);
   Descriptor file(name, is_special_file ? O_WRONLY : O_WRONLY | O_CREAT | O_EXCL, !is_special_file);
   if(!file.is_open())
-    fail(filename, errno);
+    fail_to_write(filename, errno);
   if(const int error = file.write(bytes); error != 0)
-    fail(filename, error);
+    fail_to_write(filename, error);
   if(const int error = file.close(); error != 0)
-    fail(filename, error);
+    fail_to_write(filename, error);
   if(!is_special_file)
   {
     replace_file(name, filename);
