@@ -99,7 +99,8 @@ trap 'kill $server $demo_build 2>/dev/null' EXIT
 echo "Building the program and downloading models"
 fetch_models &
 fetching=$!
-{ cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DGEODESIC_PROCESSING_DEMOS=ON &&
+{ cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
+    -DGEODESIC_PROCESSING_DEMOS=ON &&
   cmake --build $build -j "$jobs" --target geodesic; } >>$log 2>&1 || build_failed
 start_server
 rm -f $models/are_made

@@ -79,7 +79,7 @@ clients="-DGEODESIC_PROCESSING_CLIENT_OPTIONS=-O0;-g0"
 
 build_release()
 {
-  cmake -S . -B $release -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  cmake -S . -B $release -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
     -DGEODESIC_PROCESSING_WARNINGS_AS_ERRORS=ON -DGEODESIC_PROCESSING_TESTS=ON \
     -DGEODESIC_PROCESSING_DEMOS=ON -DGEODESIC_PROCESSING_DOCS=ON "$clients" \
     -DGEODESIC_PROCESSING_DATA="$data" >build/release.log || { cat build/release.log; return 1; }
@@ -95,6 +95,7 @@ build_release()
 build_sanitizer()
 {
   CC=clang-14 CXX=clang++-14 cmake -S . -B $sanitizer -G Ninja -DCMAKE_BUILD_TYPE=None \
+    -DCMAKE_UNITY_BUILD=ON \
     -DCMAKE_CXX_FLAGS="-O2 -mllvm -inline-threshold=600 -Qunused-arguments -gline-tables-only -fno-omit-frame-pointer \
       -fsanitize=address,undefined -fno-sanitize-recover=undefined -D_GLIBCXX_ASSERTIONS" \
     -DBUILD_SHARED_LIBS=ON -DCMAKE_SHARED_LINKER_FLAGS=-Wl,-Bsymbolic-functions \
@@ -148,10 +149,13 @@ check_all_models()
   return $failed
 }
 
+# Checks each source separately, so that it also fails if a source lacks an include.
 check_tidy()
 {
+  CXX=clang++-14 cmake -S . -B build/tidy -G Ninja -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
+    -DGEODESIC_PROCESSING_PICTURES=OFF >build/tidy.log || { cat build/tidy.log; return 1; }
   git ls-files 'src/*.cpp' ':!src/geodesic' |
-    xargs -n 4 -P "$jobs" clang-tidy-14 -p $sanitizer --quiet
+    xargs -n 4 -P "$jobs" clang-tidy-14 -p build/tidy --quiet
 }
 
 # Runs each fuzzer for one minute, starting from the corpus of earlier runs.
