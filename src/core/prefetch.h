@@ -10,6 +10,9 @@ inline void prefetch([[maybe_unused]] const void* address)
 {
 #if defined(__GNUC__)
   __builtin_prefetch(address);
+  // Otherwise gcc drops the calls of functions that only prefetch: they have no effect on results.
+  // Without the prefetches, fronts take 20 % longer.
+  __asm__ volatile("");
 #endif
 }
 

@@ -214,7 +214,13 @@ public:
   template <typename DistanceMap>
   void write_distances(DistanceMap map) const
   {
-    m_domain.write([&](internal::Index i) { return scale() * m_engine.distance(i); }, map);
+    m_engine.visit(
+        [&](const auto& kernel)
+        {
+          m_domain.write([&kernel, scale = scale()](internal::Index i)
+                         { return scale * kernel.distance(i); },
+                         map);
+        });
   }
   /// Writes `source_label()` of each vertex or surfel to a property map.
   template <typename LabelMap>

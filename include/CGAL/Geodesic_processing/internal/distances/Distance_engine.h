@@ -81,6 +81,13 @@ public:
   Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const;
 
+  // Calls visitor(kernel) with the kernel of the method, so that a loop over all vertices has one
+  // dispatch.
+  template <typename Visitor>
+  void visit(const Visitor& visitor) const
+  {
+    std::visit(visitor, m_kernel);
+  }
   // Returns the exact engine, or null if the method is another one.
   const Window_propagation* windows() const { return std::get_if<Window_propagation>(&m_kernel); }
   // Returns the kernel for the rows of a matrix, which bypasses the dispatch.
