@@ -33,8 +33,8 @@ public:
   }
 };
 
-using Methods =
-    testing::Types<GP::Dijkstra, GP::Fast_marching, GP::Euclidean_front, GP::Exact, GP::Heat>;
+using Methods = testing::Types<GP::Dijkstra, GP::Fast_marching, GP::Euclidean_front, GP::Exact,
+                               GP::Heat, GP::Automatic>;
 TYPED_TEST_SUITE(Geodesic_distance_solver, Methods);
 
 TYPED_TEST(Geodesic_distance_solver, is_independent_of_previous_queries)
@@ -191,6 +191,98 @@ TYPED_TEST(Geodesic_distance_solver, distances_are_continuous)
                   1e-12);
     }
   }
+}
+
+TEST(Default_geodesic_distance_solver, is_exact_unless_speeds_differ)
+{
+  const Mesh mesh = mesh_of(jittered(icosphere(3), 0.1));
+  GP::Geodesic_distance_solver<Mesh> solver(mesh);
+  GP::Geodesic_distance_solver<Mesh, GP::Exact> exact(mesh);
+  GP::Geodesic_distance_solver<Mesh, GP::Euclidean_front> front(mesh);
+  solver.compute(Vertex(7));
+  exact.compute(Vertex(7));
+  for(const Vertex v : mesh.vertices())
+  {
+    EXPECT_EQ(solver.distance(v), exact.distance(v));
+    EXPECT_EQ(solver.predecessor(v), exact.predecessor(v));
+  }
+  EXPECT_EQ(solver.path(Vertex(300)).length, exact.path(Vertex(300)).length);
+  EXPECT_EQ(solver.departure(Vertex(300)).polar_angle, exact.departure(Vertex(300)).polar_angle);
+  EXPECT_EQ(solver.shortest_paths(Vertex(300)).size(), exact.shortest_paths(Vertex(300)).size());
+
+  Mesh copy = mesh;
+  auto speed = copy.add_property_map<Face, double>("f:speed", 1.).first;
+  speed[Face(20)] = 0.5;
+  solver.compute(Vertex(7), GP::parameters::speed_map(speed));
+  front.compute(Vertex(7), GP::parameters::speed_map(speed));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(solver.distance(v), front.distance(v));
+  EXPECT_EQ(solver.path(Vertex(300)).length, front.path(Vertex(300)).length);
+  EXPECT_THROW(solver.departure(Vertex(300)), GP::Unsupported_surface_error);
+  EXPECT_THROW(solver.shortest_paths(Vertex(300)), GP::Unsupported_surface_error);
+  EXPECT_THROW(exact.compute(Vertex(7), GP::parameters::speed_map(speed)),
+               GP::Unsupported_surface_error);
+}
+
+TEST(Default_geodesic_distance_solver, is_exact_around_obstacles)
+{
+  // A wall with a gap at the end, so that the shortest way is bent at the end of the wall.
+  const std::size_t n = 10;
+  Mesh mesh = mesh_of(square(n));
+  auto speed = mesh.add_property_map<Face, double>("f:speed", 1.).first;
+  for(const Face f : mesh.faces())
+  {
+    double x = 0., y = 0.;
+    for(const Vertex v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+    {
+      x += mesh.point(v).x() / 3.;
+      y += mesh.point(v).y() / 3.;
+    }
+    if(x > 0.5 && x < 0.6 && y < 0.7)
+      speed[f] = 0.;
+  }
+  GP::Geodesic_distance_solver<Mesh> solver(mesh);
+  solver.compute(Vertex(0), GP::parameters::speed_map(speed));
+  const Vertex to(static_cast<Mesh::size_type>(n));
+  const double expected = std::hypot(0.5, 0.7) + 0.1 + std::hypot(0.4, 0.7);
+  EXPECT_NEAR(solver.distance(to), expected, 1e-12);
+  const auto path = solver.path(to);
+  EXPECT_NEAR(path.length, expected, 1e-12);
+  EXPECT_LE(path.lower, expected);
+  EXPECT_GE(path.lower, expected * (1. - 1e-11)); // the tolerance of exact paths
+}
+
+TEST(Default_geodesic_distance_solver, is_the_euclidean_front_on_clouds)
+{
+  const Surfels cloud = sphere_surfels(3);
+  const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  const GP::Surfel_domain<Surfels> domain(cloud, np);
+  GP::Geodesic_distance_solver<Surfels> solver(domain);
+  GP::Geodesic_distance_solver<Surfels, GP::Euclidean_front> front(domain);
+  solver.compute(std::size_t(5));
+  front.compute(std::size_t(5));
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+    EXPECT_EQ(solver.distance(i), front.distance(i));
+  EXPECT_THROW(solver.shortest_paths(std::size_t(7)), GP::Unsupported_surface_error);
+}
+
+TYPED_TEST(Geodesic_distance_solver, distances_of_ranges_match_single_ones)
+{
+  using Solver = typename TestFixture::Solver;
+  Solver solver(this->domain);
+  solver.compute(Vertex(3));
+  std::mt19937 random(1);
+  std::vector<GP::Location<Mesh>> locations;
+  for(int i = 0; i < 20; ++i)
+    locations.push_back(random_location_of(this->mesh, random));
+  std::vector<double> distances;
+  solver.distances(locations, std::back_inserter(distances));
+  ASSERT_EQ(distances.size(), locations.size());
+  for(std::size_t i = 0; i < locations.size(); ++i)
+    EXPECT_NEAR(distances[i], solver.distance(locations[i]), 1e-12);
+  distances.clear();
+  solver.distances(Vertex(30), std::back_inserter(distances));
+  EXPECT_EQ(distances, std::vector<double>{solver.distance(Vertex(30))});
 }
 
 TEST(Exact_geodesic_distance_solver, finds_all_shortest_paths)

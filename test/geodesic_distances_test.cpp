@@ -157,10 +157,16 @@ TEST(Geodesic_distances, accept_vertex_and_face_speeds)
                                             GP::parameters::speed_map(speed));
   for(const Vertex v : mesh.vertices())
     EXPECT_NEAR(scaled_distance[v], 2. * original[v], 1e-13); // the mean of three halves is rounded
+  GP::geodesic_distances(mesh, Vertex(3), original);
   GP::geodesic_distances(mesh, Vertex(3), scaled_distance, GP::parameters::speed_map(face_speed));
   for(const Vertex v : mesh.vertices())
-    EXPECT_EQ(scaled_distance[v],
-              2. * original[v]); // if speeds are given, the default uses the same front
+    EXPECT_EQ(scaled_distance[v], 2. * original[v]);
+  face_speed[Face(0)] = 0.25; // then the default method is a front
+  GP::geodesic_distances<GP::Euclidean_front>(mesh, Vertex(3), original,
+                                              GP::parameters::speed_map(face_speed));
+  GP::geodesic_distances(mesh, Vertex(3), scaled_distance, GP::parameters::speed_map(face_speed));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(scaled_distance[v], original[v]);
 }
 
 TEST(Geodesic_distances, do_not_cross_obstacles)
@@ -170,6 +176,9 @@ TEST(Geodesic_distances, do_not_cross_obstacles)
   for(const Vertex v : mesh.vertices())
     speed[v] = mesh.point(v).x() == 0.5 ? 0. : 1.;
   GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(0), map, GP::parameters::speed_map(speed));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(map[v] < infinity, mesh.point(v).x() < 0.45);
+  GP::geodesic_distances(mesh, Vertex(0), map, GP::parameters::speed_map(speed));
   for(const Vertex v : mesh.vertices())
     EXPECT_EQ(map[v] < infinity, mesh.point(v).x() < 0.45);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 
+#include "distances/obstacles.h"
+
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -12,6 +14,8 @@ using Kernel = std::variant<Front, Window_propagation, Heat_solver>;
 
 Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays> triangles)
 {
+  if(method == Distance_method::automatic)
+    method = triangles->is_cloud() ? Distance_method::euclidean_front : Distance_method::exact;
   switch(method)
   {
   case Distance_method::dijkstra:
@@ -31,11 +35,23 @@ Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays>
 
 Distance_engine::Distance_engine(Distance_method method,
                                  std::shared_ptr<const Surface_arrays> triangles)
-    : m_kernel(make_kernel(method, std::move(triangles)))
+    : m_method(method), m_triangles(std::move(triangles)),
+      m_kernel(make_kernel(method, m_triangles))
 {}
+
+void Distance_engine::select(const Front_limits& limits)
+{
+  if(m_method != Distance_method::automatic || m_triangles->is_cloud())
+    return;
+  const bool is_exact = !limits.slowness || uniform_slowness(*limits.slowness);
+  if(is_exact != std::holds_alternative<Window_propagation>(m_kernel))
+    m_kernel = make_kernel(is_exact ? Distance_method::exact : Distance_method::euclidean_front,
+                           m_triangles);
+}
 
 bool Distance_engine::run(const std::vector<Front_source>& sources, const Front_limits& limits)
 {
+  select(limits);
   return std::visit([&](auto& kernel) { return kernel.run(sources, limits); }, m_kernel);
 }
 
@@ -47,6 +63,16 @@ double Distance_engine::distance(Index vertex) const
 double Distance_engine::distance(const Surface_location& location) const
 {
   return std::visit([&](const auto& kernel) { return kernel.distance(location); }, m_kernel);
+}
+
+std::vector<double> Distance_engine::distances(const std::vector<Surface_location>& locations) const
+{
+  if(const Window_propagation* exact = windows())
+    return exact->distances(locations);
+  std::vector<double> result;
+  for(const Surface_location& location : locations)
+    result.push_back(distance(location));
+  return result;
 }
 
 Index Distance_engine::source(Index vertex) const

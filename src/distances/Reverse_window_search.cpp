@@ -32,6 +32,15 @@ const Meeting& Reverse_window_search::find_shortest(const Window_state& forward,
   return m_goal.meeting();
 }
 
+const Meeting& Reverse_window_search::find_between(const Window_state& initialized,
+                                                   const Surface_location& source,
+                                                   const Surface_location& from, double max_length)
+{
+  m_goal.find_between(initialized, source, max_length);
+  propagate_back(from);
+  return m_goal.meeting();
+}
+
 void Reverse_window_search::find_all(const Window_state& forward, const Surface_location& from,
                                      double max_length)
 {

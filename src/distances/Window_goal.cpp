@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distances/Window_goal.h"
 
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include "core/unfold.h"
 #include "distances/directions.h"
 #include "distances/Window_propagator.h"
+#include "distances/window_operations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,19 +28,40 @@ Window_goal::Window_goal(std::shared_ptr<const Surface_arrays> triangles)
 
 void Window_goal::find_shortest(const Window_state& forward)
 {
+  m_mode = Mode::shortest;
   m_forward = &forward;
-  m_collects_all = false;
   m_meeting = Meeting{};
 }
 
 void Window_goal::find_all(const Window_state& forward, double max_length)
 {
+  m_mode = Mode::all;
   m_forward = &forward;
-  m_collects_all = true;
   m_meeting = Meeting{};
   m_meeting.distance = max_length;
   m_meetings.clear();
   m_arrivals.clear();
+}
+
+void Window_goal::find_between(const Window_state& initialized, const Surface_location& source,
+                               double max_length)
+{
+  m_mode = Mode::between;
+  m_forward = &initialized;
+  m_source_point = scaled_coordinates(*m_triangles, source);
+  m_meeting = Meeting{};
+  m_meeting.distance = max_length;
+}
+
+void Window_goal::find_each(const std::vector<Source_piece>& pieces)
+{
+  m_mode = Mode::each;
+  m_pieces = pieces;
+  m_pieces_by_triangle.clear();
+  for(Index i = 0; i < pieces.size(); ++i)
+    m_pieces_by_triangle.emplace_back(pieces[i].triangle, i);
+  std::sort(m_pieces_by_triangle.begin(), m_pieces_by_triangle.end());
+  m_distances.assign(pieces.size(), infinity);
 }
 
 const std::vector<Window_arrival>& Window_goal::arrivals(Index vertex) const
@@ -49,7 +73,7 @@ const std::vector<Window_arrival>& Window_goal::arrivals(Index vertex) const
 
 void Window_goal::keep_arrival(Index vertex, const Window_arrival& arrival)
 {
-  if(!m_collects_all ||
+  if(m_mode != Mode::all ||
      !(arrival.distance + m_forward->vertices[vertex].distance <= m_meeting.distance))
     return;
   const Surface_arrays& t = *m_triangles;
@@ -74,26 +98,39 @@ void Window_goal::keep_arrival(Index vertex, const Window_arrival& arrival)
 
 bool Window_goal::reach(Index vertex, double distance)
 {
-  const double total_length = distance + m_forward->vertices[vertex].distance;
-  if(!(total_length <= m_meeting.distance * (1. + round_off_tolerance)))
+  if(m_mode == Mode::each)
+    return true;
+  if(!(distance + lower_bound(vertex) <= m_meeting.distance * (1. + round_off_tolerance)))
     return false;
-  if(!m_collects_all && total_length < m_meeting.distance)
+  const double total_length = distance + m_forward->vertices[vertex].distance;
+  if(m_mode != Mode::all && total_length < m_meeting.distance)
     m_meeting = {total_length, vertex, {}, {}, 0., none};
   return true;
 }
 
 double Window_goal::max_useful_distance(Index vertex) const
 {
-  return m_meeting.distance * (1. + round_off_tolerance) - m_forward->vertices[vertex].distance;
+  return m_mode == Mode::each
+             ? infinity
+             : m_meeting.distance * (1. + round_off_tolerance) - lower_bound(vertex);
+}
+
+// Returns a lower bound of the distance from a vertex to the sources of the forward query.
+double Window_goal::lower_bound(Index vertex) const
+{
+  if(m_mode == Mode::between)
+    return m_triangles->point.empty() ? 0. : norm(m_triangles->point[vertex] - m_source_point);
+  // A vertex that was not reached is farther than the maximum distance.
+  return std::min(m_forward->vertices[vertex].distance, m_forward->max_distance);
 }
 
 void Window_goal::meet_sources(Index triangle, const Vec2& position, Index origin)
 {
-  const auto& pieces = m_forward->pieces_by_triangle;
+  const auto& pieces = pieces_by_triangle();
   for(auto i = std::lower_bound(pieces.begin(), pieces.end(), std::pair(triangle, Index(0)));
       i != pieces.end() && i->first == triangle; ++i)
   {
-    const Source_piece& piece = m_forward->source_pieces[i->second];
+    const Source_piece& piece = this->pieces()[i->second];
     const auto corners = unfolded(*m_triangles, triangle);
     bool is_inside = false;
     meet(piece,
@@ -106,7 +143,7 @@ void Window_goal::meet_sources(Index triangle, const Vec2& position, Index origi
 void Window_goal::meet_sources_behind(Index h, const std::vector<Window>& windows)
 {
   const Surface_arrays& t = *m_triangles;
-  const auto& pieces = m_forward->pieces_by_triangle;
+  const auto& pieces = pieces_by_triangle();
   const Index triangle = h / 3;
   auto i = std::lower_bound(pieces.begin(), pieces.end(), std::pair(triangle, Index(0)));
   if(i == pieces.end() || i->first != triangle)
@@ -117,11 +154,16 @@ void Window_goal::meet_sources_behind(Index h, const std::vector<Window>& window
   bool is_inside = false;
   for(; i != pieces.end() && i->first == triangle; ++i)
   {
-    const Source_piece& piece = m_forward->source_pieces[i->second];
+    const Source_piece& piece = this->pieces()[i->second];
     const Vec2 p = unfolded_point(corners, piece.begin), q = unfolded_point(corners, piece.end);
     for(std::size_t k = 1; k < windows.size(); ++k)
     {
       const Window& window = windows[k];
+      if(window.weight == 0.f)
+      {
+        meet_straight(piece, rotated_back(p - begin, axis), p, window);
+        continue;
+      }
       const Vec2 source = begin + rotated(window.source, axis),
                  nearest = closest_point_on_segment(source, p, q, is_inside);
       const Vec2 local_point = rotated_back(nearest - begin, axis);
@@ -147,11 +189,32 @@ void Window_goal::meet_sources_behind(Index h, const std::vector<Window>& window
   }
 }
 
+// Tests the path from a straight window, which occurs in forward propagations only, to a point
+// piece; the point is given in the coordinates of the halfedge and of the triangle.
+void Window_goal::meet_straight(const Source_piece& piece, const Vec2& local_point,
+                                const Vec2& point, const Window& window)
+{
+  const double at_begin = side_of_apex_line(window, window.begin, local_point),
+               at_end = side_of_apex_line(window, window.end, local_point);
+  if(at_begin <= 0. && at_end >= 0.)
+    return meet(piece, point, point, window.offset - dot(window.source, local_point),
+                window.origin);
+  const double position = at_begin > 0. ? window.begin : window.end;
+  const double gain = norm(local_point - Vec2{position, 0.});
+  meet(piece, point, point, window.distance(position) + gain, window.origin);
+}
+
 void Window_goal::meet(const Source_piece& piece, const Vec2& position, const Vec2& from,
                        double distance, Index origin)
 {
   const double total = piece.offset + norm(from - position) + distance;
-  if(m_collects_all ? !(total <= m_meeting.distance) : !(total < m_meeting.distance))
+  if(m_mode == Mode::each)
+  {
+    double& shortest = m_distances[std::size_t(&piece - m_pieces.data())];
+    shortest = std::min(shortest, total);
+    return;
+  }
+  if(m_mode == Mode::all ? !(total <= m_meeting.distance) : !(total < m_meeting.distance))
     return;
   const auto corners = unfolded(*m_triangles, piece.triangle);
   const Vec2 begin = unfolded_point(corners, piece.begin);
@@ -161,7 +224,7 @@ void Window_goal::meet(const Source_piece& piece, const Vec2& position, const Ve
       total, none, {piece.triangle, none, {}}, from - position, norm(from - position), origin};
   for(int k = 0; k < 3; ++k)
     meeting.location.barycentric[k] = (1. - fraction) * piece.begin[k] + fraction * piece.end[k];
-  if(m_collects_all)
+  if(m_mode == Mode::all)
     m_meetings.push_back(meeting);
   else
     m_meeting = meeting;

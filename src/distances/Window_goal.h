@@ -7,8 +7,10 @@
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/distances/Window_state.h>
 
+#include <array>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -28,6 +30,8 @@ struct Meeting
 
 // Finds the meetings of a backward search with the results of a forward query.  The length of the
 // shortest meeting bounds the search.
+//
+// With find_each(), it measures distances of a forward propagation at locations instead.
 class CGAL_GEODESIC_PROCESSING_EXPORT Window_goal
 {
 public:
@@ -36,10 +40,19 @@ public:
   // Starts a search for the shortest path, or for all paths of at most this length.
   void find_shortest(const Window_state& forward);
   void find_all(const Window_state& forward, double max_length);
+  // Starts a search for the shortest path to a point source that is shorter than this length.  The
+  // sources of the forward query have been initialized, but it has not run.  The straight distance
+  // to the source replaces its distances.
+  void find_between(const Window_state& initialized, const Surface_location& source,
+                    double max_length);
+  // Starts a propagation from any sources that measures the distances of point pieces.
+  void find_each(const std::vector<Source_piece>& pieces);
 
-  bool collects_all() const { return m_collects_all; }
+  bool collects_all() const { return m_mode == Mode::all; }
   const Meeting& meeting() const { return m_meeting; }
   const std::vector<Meeting>& meetings() const { return m_meetings; }
+  // After find_each(): the distance of each piece from the propagated windows.
+  const std::vector<double>& distances() const { return m_distances; }
   // Returns the arrivals that were kept at a vertex, in a search for all paths.
   const std::vector<Window_arrival>& arrivals(Index vertex) const;
 
@@ -59,13 +72,36 @@ public:
   void meet_sources_behind(Index h, const std::vector<Window>& windows);
 
 private:
+  enum class Mode
+  {
+    shortest,
+    all,
+    between,
+    each
+  };
+  // The pieces that windows may meet: those of the forward query, or those of find_each().
+  const std::vector<Source_piece>& pieces() const
+  {
+    return m_mode == Mode::each ? m_pieces : m_forward->source_pieces;
+  }
+  const std::vector<std::pair<Index, Index>>& pieces_by_triangle() const
+  {
+    return m_mode == Mode::each ? m_pieces_by_triangle : m_forward->pieces_by_triangle;
+  }
+  double lower_bound(Index vertex) const;
+  void meet_straight(const Source_piece& piece, const Vec2& local_point, const Vec2& point,
+                     const Window& window);
   void meet(const Source_piece& piece, const Vec2& position, const Vec2& from, double distance,
             Index origin);
 
   std::shared_ptr<const Surface_arrays> m_triangles;
+  Mode m_mode = Mode::shortest;
   const Window_state* m_forward = nullptr;
-  bool m_collects_all = false; // then m_meeting.distance is the maximum length
-  Meeting m_meeting;
+  std::array<double, 3> m_source_point = {0., 0., 0.};       // between
+  std::vector<Source_piece> m_pieces;                        // each
+  std::vector<std::pair<Index, Index>> m_pieces_by_triangle; // each: as that of a Window_state
+  std::vector<double> m_distances;                           // each
+  Meeting m_meeting; // all: its distance is the maximum length
   std::vector<Meeting> m_meetings;
   std::unordered_map<Index, std::vector<Window_arrival>> m_arrivals; // by vertex
 };

@@ -67,15 +67,66 @@ bool is_along(const Surface_arrays& t, const std::vector<Surface_location>& path
   return std::all_of(path.begin(), path.end(), is_close);
 }
 
+// Appends the path of a meeting, from the start of the reverse search to the source, and returns its
+// length.
+double append_meeting(const Window_state& reverse, const Window_state& forward,
+                      const Meeting& meeting, std::vector<Surface_location>& path)
+{
+  const Surface_arrays& t = *forward.triangles;
+  double length = 0.;
+  if(meeting.vertex == none)
+  {
+    path.push_back(canonical(t, meeting.location));
+    length += append_line(
+        reverse, {meeting.location, meeting.direction, meeting.length, meeting.origin}, path);
+  }
+  else
+    path.push_back(vertex_location(t, meeting.vertex));
+  if(const Index origin = meeting.vertex == none ? meeting.origin : meeting.vertex;
+     origin < forward.vertices.size())
+    length += append_chain(reverse, origin, path);
+  std::reverse(path.begin(), path.end());
+  if(meeting.vertex != none)
+    length += append_chain(forward, meeting.vertex, path);
+  return length;
+}
+
+// Returns the distance of a point piece by the corners of its triangle and by the sources in it.
+double distance_in_source_triangle(const Window_state& windows, const Source_piece& point)
+{
+  const Surface_arrays& t = *windows.triangles;
+  const auto corners = unfolded(t, point.triangle);
+  const Vec2 p = unfolded_point(corners, point.begin);
+  double result = infinity;
+  for(Index k = 0; k < 3; ++k)
+    result = std::min(result, windows.vertices[t.corner[3 * point.triangle + k]].distance +
+                                  norm(p - corners[k]));
+  const auto& pieces = windows.pieces_by_triangle;
+  bool is_inside = false;
+  for(auto i = std::lower_bound(pieces.begin(), pieces.end(), std::pair(point.triangle, Index(0)));
+      i != pieces.end() && i->first == point.triangle; ++i)
+  {
+    const Source_piece& piece = windows.source_pieces[i->second];
+    result = std::min(result,
+                      piece.offset + norm(p - closest_point_on_segment(
+                                                  p, unfolded_point(corners, piece.begin),
+                                                  unfolded_point(corners, piece.end), is_inside)));
+  }
+  return result;
+}
+
 } // namespace
 
-double Window_propagation::distance(const Surface_location& location) const
+double Window_propagation::distance(const Surface_location& query) const
 {
+  const Surface_location location = outside_obstacles(query);
   if(const Index vertex = vertex_of(*m_state.triangles, location); vertex != none)
     return distance(vertex);
+  if(is_inside_obstacle(location))
+    return infinity;
   const std::lock_guard lock(m_reverse_search.mutex);
   const double distance = this->reverse_search().find_shortest(m_state, location).distance;
-  return distance <= m_state.max_distance ? distance + m_state.min_offset : infinity;
+  return distance <= m_state.max_distance ? m_slowness * (distance + m_state.min_offset) : infinity;
 }
 
 Reverse_window_search& Window_propagation::reverse_search() const
@@ -86,51 +137,110 @@ Reverse_window_search& Window_propagation::reverse_search() const
   return *m_reverse_search.search;
 }
 
-std::vector<Surface_location> Window_propagation::path(const Surface_location& from) const
+std::vector<double>
+Window_propagation::distances(const std::vector<Surface_location>& queries) const
 {
   const Surface_arrays& t = *m_state.triangles;
+  std::vector<double> result(queries.size(), infinity);
+  std::vector<Source_piece> pieces; // the locations, in each of their triangles
+  std::vector<std::size_t> query_of_piece;
+  for(std::size_t i = 0; i < queries.size(); ++i)
+  {
+    const Surface_location location = outside_obstacles(queries[i]);
+    if(const Index vertex = vertex_of(t, location); vertex != none)
+      result[i] = m_state.vertices[vertex].distance;
+    else if(!is_inside_obstacle(location))
+      for(const Index triangle : triangles_at(t, location))
+      {
+        const auto barycentric = *barycentric_in(t, triangle, location);
+        pieces.push_back({triangle, none, barycentric, barycentric, 0.});
+        query_of_piece.push_back(i);
+        result[i] = std::min(result[i], distance_in_source_triangle(m_state, pieces.back()));
+      }
+  }
+  Window_goal goal(m_state.triangles);
+  goal.find_each(pieces);
+  Window_state state(m_state.triangles, m_state.is_pseudo_source);
+  state.min_offset = m_state.min_offset;
+  state.max_distance = m_state.max_distance;
+  Window_propagator propagator(state, &goal);
+  propagator.start(m_sources);
+  while(!pieces.empty() && !state.queue.empty())
+    propagator.step();
+  for(std::size_t i = 0; i < pieces.size(); ++i)
+    result[query_of_piece[i]] = std::min(result[query_of_piece[i]], goal.distances()[i]);
+  for(double& distance : result)
+    distance =
+        distance <= m_state.max_distance ? m_slowness * (distance + m_state.min_offset) : infinity;
+  return result;
+}
+
+Bounded_path Window_propagation::path(const Surface_location& query) const
+{
+  const Surface_arrays& t = *m_state.triangles;
+  const Surface_location from = outside_obstacles(query);
+  if(is_inside_obstacle(from))
+    return {};
   std::vector<Surface_location> path;
   double length = 0.;
-  Index vertex = vertex_of(t, from);
-  if(vertex == none)
+  if(const Index vertex = vertex_of(t, from); vertex == none)
   {
     const std::lock_guard lock(m_reverse_search.mutex);
     Reverse_window_search& reverse_search = this->reverse_search();
     const Meeting& meeting = reverse_search.find_shortest(m_state, from);
     if(meeting.distance == infinity || meeting.distance > m_state.max_distance)
       return {};
-    vertex = meeting.vertex;
-    if(vertex == none)
-    {
-      path.push_back(canonical(t, meeting.location));
-      length +=
-          append_line(reverse_search.state(),
-                      {meeting.location, meeting.direction, meeting.length, meeting.origin}, path);
-    }
-    else
-      path.push_back(vertex_location(t, vertex));
-    if(const Index origin = vertex == none ? meeting.origin : vertex;
-       origin < m_state.vertices.size())
-      length += append_chain(reverse_search.state(), origin, path);
-    std::reverse(path.begin(), path.end());
+    length = append_meeting(reverse_search.state(), m_state, meeting, path);
   }
   else if(m_state.vertices[vertex].distance < infinity)
+  {
     path.push_back(vertex_location(t, vertex));
+    length = append_chain(m_state, vertex, path);
+  }
   else
     return {};
-  if(vertex != none)
-    length += append_chain(m_state, vertex, path);
-  if(is_disconnected(t, path))
-    return {};
-  const Locally_shortest_path result = shorten_geodesic(t, path);
-  return result.length <= length + 1e-9 * (length + m_state.max_edge_length * round_off_tolerance)
-             ? result.locations
-             : std::vector<Surface_location>();
+  return shortened(path, length);
 }
 
-std::vector<std::vector<Surface_location>> Window_propagation::paths(const Surface_location& from,
+Bounded_path Window_propagation::path_between(const Surface_location& from,
+                                              const Surface_location& to, double max_length)
+{
+  set_obstacles(nullptr);
+  m_state.clear();
+  m_state.min_offset = 0.;
+  m_state.max_distance = infinity;
+  m_sources = {{{to}, 0., 0}};
+  Window_propagator(m_state).start(m_sources);
+  const std::lock_guard lock(m_reverse_search.mutex);
+  Reverse_window_search& reverse_search = this->reverse_search();
+  const Meeting& meeting = reverse_search.find_between(m_state, to, from, max_length);
+  if(!(meeting.distance < max_length * (1. - round_off_tolerance)))
+    return {{}, max_length * (1. - 2. * round_off_tolerance)};
+  std::vector<Surface_location> path;
+  const double length = append_meeting(reverse_search.state(), m_state, meeting, path);
+  return shortened(path, length);
+}
+
+// Shortens a path of straight lines, which shortens only gaps at round-off errors.  Returns an empty
+// path if it is disconnected or longer than expected.
+Bounded_path Window_propagation::shortened(const std::vector<Surface_location>& path,
+                                           double length) const
+{
+  Bounded_path result = {{}, length * (1. - 2. * round_off_tolerance)};
+  if(is_disconnected(*m_state.triangles, path))
+    return result;
+  Locally_shortest_path shortest = shorten_geodesic(*m_state.triangles, path);
+  if(shortest.length <= length + 1e-9 * (length + m_state.max_edge_length * round_off_tolerance))
+    result.locations = std::move(shortest.locations);
+  return result;
+}
+
+std::vector<std::vector<Surface_location>> Window_propagation::paths(const Surface_location& query,
                                                                      double tolerance) const
 {
+  const Surface_location from = outside_obstacles(query);
+  if(is_inside_obstacle(from))
+    return {};
   const Surface_arrays& t = *m_state.triangles;
   const std::lock_guard lock(m_reverse_search.mutex);
   Reverse_window_search& reverse_search = this->reverse_search();
@@ -176,7 +286,7 @@ std::vector<std::vector<Surface_location>> Window_propagation::paths(const Surfa
 Departure Window_propagation::departure(const Surface_location& to) const
 {
   const Surface_arrays& t = *m_state.triangles;
-  const std::vector<Surface_location> path = this->path(to);
+  const std::vector<Surface_location> path = this->path(to).locations;
   Departure result;
   if(path.empty())
     return result;

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include "core/unfold.h"
 #include "distances/Window_propagator.h"
+#include "distances/obstacles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +15,23 @@
 namespace CGAL::Geodesic_processing::internal {
 
 Window_propagation::Window_propagation(std::shared_ptr<const Surface_arrays> triangles)
-    : m_state(triangles, find_pseudo_sources(*triangles))
+    : m_triangles(triangles), m_state(triangles, find_pseudo_sources(*triangles))
 {}
 
 bool Window_propagation::run(const std::vector<Front_source>& sources, const Front_limits& limits)
 {
-  if(limits.slowness)
-    throw Unsupported_surface_error("The exact method does not support speeds.");
+  set_obstacles(limits.slowness.get());
+  std::vector<Surface_location> targets;
+  for(const Surface_location& target : limits.targets)
+    targets.push_back(outside_obstacles(target));
   m_state.clear();
   m_state.min_offset = infinity;
   for(const Front_source& source : sources)
-    m_state.min_offset = std::min(m_state.min_offset, source.offset);
-  m_state.max_distance = limits.maximum_distance - m_state.min_offset;
+    m_state.min_offset = std::min(m_state.min_offset, source.offset / m_slowness);
+  m_state.max_distance = limits.maximum_distance / m_slowness - m_state.min_offset;
   Window_propagator propagator(m_state);
-  propagator.start(sources);
+  m_sources = limits.slowness ? outside_obstacles(sources) : sources;
+  propagator.start(m_sources);
 
   std::size_t next_target_check = 0; // a number of visits
   bool is_finished = true;
@@ -44,14 +48,13 @@ bool Window_propagation::run(const std::vector<Front_source>& sources, const Fro
       is_finished = false;
       break;
     }
-    if(propagator.step() && !limits.targets.empty() && number_of_visits >= next_target_check)
+    if(propagator.step() && !targets.empty() && number_of_visits >= next_target_check)
     {
-      limit_to_targets(limits.targets);
-      next_target_check = number_of_visits + std::max<std::size_t>(64, limits.targets.size());
+      limit_to_targets(targets);
+      next_target_check = number_of_visits + std::max<std::size_t>(64, targets.size());
     }
   }
-  limit_to_targets(limits.targets);
-  limit_to_targets(limits.targets);
+  limit_to_targets(targets);
   const auto is_too_far = [&](Index vertex)
   {
     if(m_state.vertices[vertex].distance <= m_state.max_distance)
@@ -62,6 +65,48 @@ bool Window_propagation::run(const std::vector<Front_source>& sources, const Fro
   m_state.reached.erase(std::remove_if(m_state.reached.begin(), m_state.reached.end(), is_too_far),
                         m_state.reached.end());
   return is_finished;
+}
+
+// Removes the obstacles from the surface of the state, if they differ from those of the last query.
+void Window_propagation::set_obstacles(const std::vector<double>* slowness)
+{
+  if(slowness ? *slowness == m_slowness_map : m_slowness_map.empty())
+    return;
+  const std::optional<double> uniform = slowness ? uniform_slowness(*slowness) : 1.;
+  if(!uniform)
+    throw Unsupported_surface_error("The method Exact admits one speed and obstacles only.");
+  const auto triangles = slowness ? without_obstacles(*m_triangles, *slowness) : m_triangles;
+  m_state = Window_state(triangles, find_pseudo_sources(*triangles));
+  m_reverse_search.search.reset();
+  m_slowness = *uniform;
+  m_slowness_map = slowness ? *slowness : std::vector<double>();
+}
+
+Surface_location Window_propagation::outside_obstacles(const Surface_location& location) const
+{
+  return m_slowness_map.empty()
+             ? location
+             : internal::outside_obstacles(*m_triangles, *m_state.triangles, location);
+}
+
+// Converts the locations of sources, and their offsets to those for slowness 1.
+std::vector<Front_source>
+Window_propagation::outside_obstacles(const std::vector<Front_source>& sources) const
+{
+  std::vector<Front_source> result = sources;
+  for(Front_source& source : result)
+  {
+    source.offset /= m_slowness;
+    for(Surface_location& location : source.polyline)
+      location = outside_obstacles(location);
+  }
+  return result;
+}
+
+bool Window_propagation::is_inside_obstacle(const Surface_location& location) const
+{
+  return !m_slowness_map.empty() && location.triangle != none &&
+         vertex_of(*m_triangles, location) == none && m_slowness_map[location.triangle] == infinity;
 }
 
 // Decreases the maximum distance to the largest distance of the targets, once all of them are

@@ -25,7 +25,7 @@ TEST(Path_through_saddle_vertices, is_found)
     ASSERT_TRUE(windows.run({surface.source(from)}));
     for(const Index vertex : windows.reached())
     {
-      const auto path = windows.path(vertex_location(t, vertex));
+      const auto path = windows.path(vertex_location(t, vertex)).locations;
       ASSERT_FALSE(path.empty());
       expect_path_on_surface(t, path, vertex_location(t, vertex), surface.at(from));
       EXPECT_NEAR(path_length(t, path), windows.distance(vertex), 1e-12); // some tens of faces

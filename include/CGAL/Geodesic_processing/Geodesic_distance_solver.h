@@ -51,7 +51,7 @@ struct Geodesic_departure
 ///
 /// \tparam Surface as for `geodesic_distances()`, but not a domain
 /// \tparam Method as for `geodesic_distances()`
-template <typename Surface, typename Method = Euclidean_front>
+template <typename Surface, typename Method = Automatic>
 class Geodesic_distance_solver
 {
   static_assert(!internal::Is_cloud<Surface>::value || !std::is_same_v<Method, Exact>,
@@ -130,6 +130,18 @@ public:
   {
     return scale() * m_engine.distance(m_domain.inner(location));
   }
+  /// Writes the distance of each location of a range to an output iterator; +infinity if no source
+  /// reaches it.
+  ///
+  /// With `Exact`, the distance of a location inside a face takes a separate search, and this
+  /// function takes one more computation for all of them.
+  template <typename Locations, typename OutputIterator>
+  OutputIterator distances(const Locations& locations, OutputIterator out) const
+  {
+    for(const double distance : m_engine.distances(internal::locations(m_domain, locations)))
+      *out++ = scale() * distance;
+    return out;
+  }
   /// Returns the label of the nearest source; the largest `std::size_t` if no source reaches
   /// `vertex`.
   std::size_t source_label(Vertex vertex) const { return label(m_domain.index(vertex)); }
@@ -150,7 +162,7 @@ public:
     return result;
   }
   /// Returns the path from a vertex, surfel or location to its nearest source; empty if no source
-  /// reaches it.  With `Exact`, its length equals the distance.
+  /// reaches it.  With `Exact`, the default on meshes, its length equals the distance.
   template <typename QueryLocation>
   Surface_path<Surface> path(const QueryLocation& from) const
   {
@@ -158,8 +170,12 @@ public:
     const double distance = scale() * m_engine.distance(inner);
     // An exact path can be missing only because of degenerate triangles.
     if(const internal::Window_propagation* windows = m_engine.windows())
-      if(const auto path = windows->path(inner); !path.empty())
-        return internal::surface_path(m_domain, path, distance);
+      if(const internal::Bounded_path path = windows->path(inner); !path.locations.empty())
+      {
+        auto result = internal::surface_path(m_domain, path.locations, distance);
+        result.lower = scale() * path.lower;
+        return result;
+      }
     return internal::surface_path(m_domain,
                                   internal::path_to_sources(
                                       *m_domain.triangles(), inner, m_sources,
@@ -170,32 +186,30 @@ public:
   }
 
   /// Returns all shortest paths from a vertex or location to the sources, but at most 64 paths.
-  /// On the cut locus, there are two or more.  It requires `Exact`.
+  /// On the cut locus, there are two or more.
   ///
   /// \param from a vertex or a location
   /// \param tolerance paths that are longer by at most this fraction of the distance count as
   ///        shortest, which compensates for round-off errors.  The excess length must be far
   ///        smaller than an edge.
+  /// \throws Unsupported_surface_error if the last computation did not use `Exact`
   template <typename QueryLocation>
   std::vector<Surface_path<Surface>> shortest_paths(const QueryLocation& from,
                                                     double tolerance = 1e-9) const
   {
-    static_assert(std::is_same_v<Method, Exact>, "shortest_paths() requires the method Exact.");
     const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
     std::vector<Surface_path<Surface>> result;
-    for(const auto& path : m_engine.windows()->paths(inner, tolerance))
+    for(const auto& path : windows().paths(inner, tolerance))
       result.push_back(internal::surface_path(m_domain, path, distance));
     return result;
   }
-  /// Returns the departure of the shortest path to a vertex or location from its source.  It
-  /// requires `Exact`.
+  /// Returns the departure of the shortest path to a vertex or location from its source.
+  /// \throws Unsupported_surface_error if the last computation did not use `Exact`
   template <typename QueryLocation>
   Geodesic_departure<Surface> departure(const QueryLocation& to) const
   {
-    static_assert(std::is_same_v<Method, Exact>, "departure() requires the method Exact.");
-    const internal::Departure found =
-        m_engine.windows()->departure(internal::location(m_domain, to));
+    const internal::Departure found = windows().departure(internal::location(m_domain, to));
     Geodesic_departure<Surface> result;
     if(!(found.length < internal::infinity))
       return result;
@@ -237,6 +251,14 @@ public:
   /// @}
 
 private:
+  // Returns the kernel of exact distances.
+  const internal::Window_propagation& windows() const
+  {
+    static_assert(!internal::is_approximate<Method>, "This query requires the method Exact.");
+    if(const internal::Window_propagation* windows = m_engine.windows())
+      return *windows;
+    throw Unsupported_surface_error("This query requires the method Exact.");
+  }
   double scale() const { return m_domain.triangles()->scale; }
   std::size_t label(internal::Index index) const
   {

@@ -25,6 +25,9 @@ struct Surface_path
   std::vector<Point_3> points;     ///< the positions of the locations in space
   double length = 0.;              ///< the length of the polyline
   double front_distance = 0.;      ///< the distance of the method; +infinity if there is no path
+  /// a certified lower bound of the length of all paths between its ends: for shortest paths by
+  /// `Exact` its length minus round-off errors, otherwise the straight distance in space
+  double lower = 0.;
 
   bool empty() const { return locations.empty(); }
 };
@@ -45,6 +48,8 @@ surface_path(const Domain& domain, const std::vector<internal::Surface_location>
     result.points.push_back(domain.point(location));
   }
   result.length = t.scale * polyline_length(t, path);
+  if(!path.empty())
+    result.lower = t.scale * straight_distance(t, path.front(), path.back());
   return result;
 }
 

@@ -267,6 +267,14 @@ Surfel_path_finder<SurfelRange>::outer(const internal::Cloud_path& found) const
     result.start.push_back(outer_vertex(vertex));
   result.length = scale * path.polyline_length;
   result.front_distance = path.points.empty() ? internal::infinity : scale * path.length;
+  if(!path.points.empty())
+  {
+    using internal::operator-;
+    constexpr double round_off = 1e-12; // of the frame of the cloud
+    const double straight_distance =
+        internal::norm(path.points.back().point - path.points.front().point);
+    result.lower = scale * (std::max)(0., straight_distance - round_off);
+  }
   result.start_length = scale * found.start_length;
   result.number_of_control_points = path.number_of_control_points;
   for(Path_energy_level level : path.levels)

@@ -35,7 +35,7 @@ double fuzzy_width(double distance, const NamedParameters& np)
 /// vertex. It is the amount of flow between two mass distributions around these locations.
 /// \cgalCite{cgal:srgb-emd-14}, section 7
 ///
-/// The two distributions are Gaussians of the distances by `Euclidean_front`, truncated at four
+/// The two distributions are Gaussians of the distances by `Automatic`, truncated at four
 /// times the width. The length of the flow is smoothed with a quarter of the width, since finer
 /// details depend on the triangulation. It is scaled to a maximum of 1. If several paths are
 /// equally short, the result weights them by the mass that each carries, unlike
@@ -66,13 +66,13 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
 {
   const auto domain = make_domain(surface, np);
   using Solver = Earth_movers_solver<typename decltype(domain)::Surface>;
-  using Front = Geodesic_distance_solver<typename Solver::Domain::Surface>;
-  Front from_p(domain), from_q(domain);
+  using Distances = Geodesic_distance_solver<typename Solver::Domain::Surface>;
+  Distances from_p(domain), from_q(domain);
   from_p.compute(p, parameters::targets(q));
   const double width = internal::fuzzy_width(from_p.distance(q), np);
   from_p.compute(p, parameters::maximum_distance(4. * width));
   from_q.compute(q, parameters::maximum_distance(4. * width));
-  const auto gaussian_density = [&](const Front& distances)
+  const auto gaussian_density = [&](const Distances& distances)
   {
     return mass_density(boost::make_function_property_map<typename Solver::Vertex>(
         [&distances, width](const typename Solver::Vertex& vertex)
@@ -107,7 +107,7 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error as `fuzzy_geodesic()`
 /// \throws as `Geodesic_distance_solver::compute()`
-template <typename Method = Euclidean_front, typename Surface, typename P, typename Q,
+template <typename Method = Automatic, typename Surface, typename P, typename Q,
           typename LikelihoodMap, typename NamedParameters = internal::Default_parameters>
 void fuzzy_geodesic_by_distances(const Surface& surface, const P& p, const Q& q,
                                  LikelihoodMap likelihood_map,

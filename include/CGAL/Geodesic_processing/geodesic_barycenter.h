@@ -56,7 +56,7 @@ struct Geodesic_barycenter
 ///         reached from all locations
 ///
 /// Takes one distance computation for each location.
-template <typename Method = Euclidean_front, typename Surface, typename Locations,
+template <typename Method = Automatic, typename Surface, typename Locations,
           typename NamedParameters = internal::Default_parameters>
 auto geodesic_barycenter(const Surface& surface, const Locations& locations,
                          const NamedParameters& np = NamedParameters())

@@ -139,7 +139,7 @@ struct Remeshing_result
 ///   \cgalParamNBegin{edge_path_output}
 ///     \cgalParamDescription{an output iterator that takes, for each edge of the output, a pair of
 ///       the edge and a `Surface_path`. The path leads from the edge's source to its target. It is
-///       a geodesic, straight in every face}
+///       locally shortest}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
@@ -199,7 +199,8 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   if constexpr(internal::has_parameter<NamedParameters, internal_np::edge_path_output_t>)
   {
     auto out = internal::parameter(np, internal_np::edge_path_output, 0);
-    Geodesic_path_finder<typename std::decay_t<decltype(input_domain)>::Surface> path(input_domain);
+    Geodesic_path_finder<typename std::decay_t<decltype(input_domain)>::Surface> finder(
+        input_domain);
     for(std::size_t i = 0; i < found.triangles.size(); ++i)
       for(int k = 0; k < 3; ++k)
       {
@@ -210,8 +211,9 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
         {
           const auto e = edge(h, output);
           const bool is_forward = source(halfedge(e, output), output) == vertices[a];
-          *out++ = std::make_pair(e, path(domain.outer(found.samples[is_forward ? a : b]),
-                                          domain.outer(found.samples[is_forward ? b : a])));
+          *out++ = std::make_pair(
+              e, finder.locally_shortest_path(domain.outer(found.samples[is_forward ? a : b]),
+                                              domain.outer(found.samples[is_forward ? b : a])));
         }
       }
   }

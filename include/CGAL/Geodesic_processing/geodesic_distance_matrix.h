@@ -35,7 +35,8 @@ Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
   // If there are as many targets as vertices, stopping at the targets does not save time.
   if(to.size() >= domain.number_of_vertices())
     asked.targets.clear();
-  const Distance_engine engine(method, domain.triangles());
+  Distance_engine engine(method, domain.triangles());
+  engine.select(asked);
   return distance_matrix(engine.row_engine(), domain.triangles()->scale, from, to, asked,
                          threads<Concurrency_tag>(np));
 }
@@ -57,7 +58,8 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
     column_of[location.vertex] = Index(from.size());
     from.push_back({{location}, 0., Index(from.size())});
   }
-  const Distance_engine engine(method, domain.triangles());
+  Distance_engine engine(method, domain.triangles());
+  engine.select(asked);
   return sparse_distance_matrix(engine.row_engine(), domain.triangles()->scale, from, column_of,
                                 asked, threads<Concurrency_tag>(np));
 }
@@ -99,9 +101,8 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///          the source does not reach the target.  The matrix is empty if the callback canceled the
 ///          computation.  With approximate methods, it is symmetric only up to their errors.
 /// \throws as `Geodesic_distance_solver::compute()`
-template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
-          typename Surface, typename Sources,
-          typename NamedParameters = internal::Default_parameters>
+template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag, typename Surface,
+          typename Sources, typename NamedParameters = internal::Default_parameters>
 Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& sources,
                                          const NamedParameters& np = NamedParameters())
 {
@@ -128,9 +129,8 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 ///         occurs twice, or if there are more than 2<SUP>31</SUP> pairs
 ///
 /// Time and memory are proportional to the number of vertices or surfels that the fronts visit.
-template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
-          typename Surface, typename Vertices,
-          typename NamedParameters = internal::Default_parameters>
+template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag, typename Surface,
+          typename Vertices, typename NamedParameters = internal::Default_parameters>
 Eigen::SparseMatrix<double, Eigen::RowMajor>
 sparse_geodesic_distance_matrix(const Surface& surface, const Vertices& vertices,
                                 double maximum_distance,

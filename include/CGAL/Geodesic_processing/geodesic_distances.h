@@ -11,8 +11,9 @@ namespace CGAL::Geodesic_processing {
 ///
 /// Computes the geodesic distance from each vertex or surfel to its nearest source.
 ///
-/// \tparam Method `Euclidean_front` (the default), `Exact`, `Fast_marching`, `Dijkstra` or `Heat`;
-///         their reference pages state their errors
+/// \tparam Method `Automatic` (the default), `Exact`, `Euclidean_front`, `Fast_marching`, `Dijkstra`
+///         or `Heat`; their reference pages state their errors.  On a mesh without speeds,
+///         `Automatic` is `Exact`
 /// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
 ///         `SurfelRange`, or a domain made by `make_domain()`
 /// \param surface the surface on which distances are measured
@@ -35,8 +36,8 @@ namespace CGAL::Geodesic_processing {
 ///
 /// O(n log n) time after `make_domain()`.  `Exact` takes O(n<SUP>1.5</SUP>) time in practice; the
 /// time of `Heat` is that of its factorization.
-template <typename Method = Euclidean_front, typename Surface, typename Sources,
-          typename DistanceMap, typename NamedParameters = internal::Default_parameters>
+template <typename Method = Automatic, typename Surface, typename Sources, typename DistanceMap,
+          typename NamedParameters = internal::Default_parameters>
 void geodesic_distances(const Surface& surface, const Sources& sources, DistanceMap distance_map,
                         const NamedParameters& np = NamedParameters())
 {

@@ -14,11 +14,11 @@ namespace CGAL::Geodesic_processing {
 /// Distances are computed by the method until the front has passed `from`.  The path is traced
 /// along decreasing distances and then shortened to a geodesic.
 ///
-/// On a mesh, the path is locally shortest: it is straight in every face, and both angles at every
-/// vertex that it passes are at least \f$ \pi \f$.  With `Exact`, it is a globally shortest path.
-/// With other methods, it is not always a shortest one: its length is at least the exact distance.
-/// The length differs from `Surface_path::front_distance` by at most the error of the method.  On a
-/// cloud, the path consists of surfels.
+/// On a mesh, the path is a shortest path by default, or if the method is `Exact`.  With other
+/// methods, it is locally shortest: it is straight in every face, and both angles at every vertex
+/// that it passes are at least \f$ \pi \f$.  Its length differs from
+/// `Surface_path::front_distance` by at most the error of the method.  On a cloud, the path consists
+/// of surfels.
 ///
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param from a vertex, a surfel or a location
@@ -26,8 +26,8 @@ namespace CGAL::Geodesic_processing {
 /// \param np the named parameters of `geodesic_distances()`
 /// \returns the path; empty if no source can be reached
 /// \throws as `Geodesic_distance_solver::compute()`
-template <typename Method = Euclidean_front, typename Surface, typename QueryLocation,
-          typename Sources, typename NamedParameters = internal::Default_parameters>
+template <typename Method = Automatic, typename Surface, typename QueryLocation, typename Sources,
+          typename NamedParameters = internal::Default_parameters>
 auto geodesic_path(const Surface& surface, const QueryLocation& from, const Sources& to,
                    const NamedParameters& np = NamedParameters())
 {

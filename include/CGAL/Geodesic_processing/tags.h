@@ -44,7 +44,8 @@ struct Euclidean_front
 ///
 /// The distance is exact up to round-off errors on every mesh, including saddles, boundaries and
 /// needles. Paths are shortest paths. Distances inside faces are exact as well, and each takes a
-/// separate search from there.
+/// separate search from there. Faces of speed zero are obstacles: distances are exact on the
+/// surface without them. All other speeds must be equal.
 ///
 /// On flat regions this takes a few times as long as `Euclidean_front`. On curved meshes the
 /// number of windows grows as O(n<SUP>1.5</SUP>). The windows of adjacent edges cross a face
@@ -58,6 +59,15 @@ struct Exact
 /// The result is a smooth approximation with errors of 0.4 to 3 percent. A solver precomputes the
 /// factorizations.
 struct Heat
+{};
+
+/// selects the default method: the most accurate one that the surface and the speeds admit.
+///
+/// - On a mesh it is `Exact`, if no speed is given, or if all speeds that are not zero are equal.
+/// - On a mesh with other speeds, and on a cloud, it is `Euclidean_front`.
+///
+/// The choice is made for each query.
+struct Automatic
 {};
 
 /// @}

@@ -98,4 +98,15 @@ TEST(Path_locations, path_length_is_sum_of_segments)
   EXPECT_NEAR(length * t.scale, std::sqrt(2.), 1e-15 * 4); // a few round-off errors
 }
 
+TEST(straight_distance, is_a_tight_lower_bound_of_the_chord)
+{
+  const Array_surface surface(square(6, 0.24));
+  const Surface_location p = surface.at(3), q = surface.in(40, {0.2, 0.3, 0.5});
+  const double chord =
+      distance(point_at(surface.t(), p), point_at(surface.t(), q)) / surface.scale();
+  EXPECT_LT(straight_distance(surface.t(), p, q), chord);
+  EXPECT_GT(straight_distance(surface.t(), p, q), chord - 1e-14); // 20 epsilon
+  EXPECT_EQ(straight_distance(surface.t(), p, p), 0.);
+}
+
 } // namespace

@@ -57,8 +57,51 @@ TEST_F(Distance_engines, return_false_if_cancelled)
       Distance_engine(Distance_method::heat, surface.triangles()).run({surface.source(3)}, limits));
 }
 
+TEST_F(Distance_engines, choose_the_kernel_by_the_speeds)
+{
+  Distance_engine engine(Distance_method::automatic, surface.triangles());
+  const std::vector<Front_source> sources = {surface.source(3)};
+  EXPECT_TRUE(engine.run(sources));
+  EXPECT_NE(engine.windows(), nullptr);
+
+  Front_limits limits;
+  std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
+  slowness[7] = infinity;
+  limits.slowness = std::make_shared<const std::vector<double>>(slowness);
+  EXPECT_TRUE(engine.run(sources, limits));
+  EXPECT_NE(engine.windows(), nullptr);
+
+  slowness[9] = 2.;
+  limits.slowness = std::make_shared<const std::vector<double>>(slowness);
+  EXPECT_TRUE(engine.run(sources, limits));
+  EXPECT_EQ(engine.windows(), nullptr);
+  Front front(surface.triangles(), Front_kind::euclidean);
+  front.run(sources, limits);
+  for(Index i = 0; i < surface.size(); ++i)
+    EXPECT_EQ(engine.distance(i), front.distance(i));
+
+  EXPECT_TRUE(engine.run(sources));
+  EXPECT_NE(engine.windows(), nullptr);
+}
+
+TEST_F(Distance_engines, return_the_same_distances_at_many_locations)
+{
+  for(const Distance_method method : {Distance_method::exact, Distance_method::euclidean_front})
+  {
+    Distance_engine engine(method, surface.triangles());
+    engine.run({surface.source(3)});
+    const std::vector<Surface_location> locations = {surface.at(5),
+                                                     surface.in(20, {0.2, 0.3, 0.5})};
+    const std::vector<double> distances = engine.distances(locations);
+    ASSERT_EQ(distances.size(), 2u);
+    for(int i = 0; i < 2; ++i)
+      EXPECT_NEAR(distances[i], engine.distance(locations[i]), 1e-14); // of order one
+  }
+}
+
 TEST(Distance_method, follows_from_the_tag)
 {
+  static_assert(distance_method<Automatic>() == Distance_method::automatic);
   static_assert(distance_method<Dijkstra>() == Distance_method::dijkstra);
   static_assert(distance_method<Fast_marching>() == Distance_method::fast_marching);
   static_assert(distance_method<Euclidean_front>() == Distance_method::euclidean_front);

@@ -62,4 +62,41 @@ TEST(Window_goal, keeps_one_arrival_per_direction)
   EXPECT_TRUE(goal.arrivals(v).empty());
 }
 
+TEST(Window_goal, bounds_paths_between_locations_by_the_straight_distance)
+{
+  const Array_surface surface(square(6, 0.24));
+  Window_state initialized(surface.triangles(), find_pseudo_sources(surface.t()));
+  Window_propagator(initialized).start({surface.source(0)});
+  Window_goal goal(surface.triangles());
+  goal.find_between(initialized, surface.at(0), 2.);
+  const Index v = surface.vertex(24);
+  const double straight = distance(surface.point(0), surface.point(24)) / surface.scale();
+  EXPECT_NEAR(goal.max_useful_distance(v), 2. - straight, 1e-11); // tolerance of the bound
+  EXPECT_TRUE(goal.reach(v, 1.9 - straight));
+  EXPECT_FALSE(goal.reach(v, 2.1 - straight));
+  EXPECT_EQ(goal.meeting().distance, 2.); // no path yet
+  EXPECT_TRUE(goal.reach(surface.vertex(0), 1.5));
+  EXPECT_EQ(goal.meeting().distance, 1.5);
+}
+
+TEST(Window_goal, measures_each_piece)
+{
+  const Array_surface surface(square(6, 0.24));
+  const std::array<double, 3> barycentric = {0.2, 0.3, 0.5};
+  Window_goal goal(surface.triangles());
+  goal.find_each({{surface.triangle(9), none, barycentric, barycentric, 0.},
+                  {surface.triangle(3), none, barycentric, barycentric, 0.}});
+  Window_state state(surface.triangles(), find_pseudo_sources(surface.t()));
+  Window_propagator propagator(state, &goal);
+  propagator.start({surface.source(40)});
+  while(!state.queue.empty())
+    propagator.step();
+  ASSERT_EQ(goal.distances().size(), 2u);
+  int i = 0;
+  for(const Index face : {9, 3}) // in the plane, not seen from the corners of their triangles only
+    EXPECT_NEAR(surface.scale() * goal.distances()[i++],
+                distance(surface.point(40), point_at(surface.t(), surface.in(face, barycentric))),
+                1e-12);
+}
+
 } // namespace

@@ -458,7 +458,7 @@ TEST(Window_propagation, path_length_equals_distance)
         const Surface_location from =
             i % 2 == 0 ? random_location(t, random) : surface.at(Index(random() % surface.size()));
         const double expected = windows.distance(from);
-        const auto path = windows.path(from);
+        const auto path = windows.path(from).locations;
         if(!(expected < infinity))
         {
           EXPECT_TRUE(path.empty());
@@ -496,7 +496,7 @@ TEST(Window_propagation, paths_pass_through_lattice_vertices)
   for(int i = 0; i < 200; ++i)
   {
     const Surface_location from = surface.at(Index(random() % surface.size()));
-    const auto path = windows.path(from);
+    const auto path = windows.path(from).locations;
     ASSERT_FALSE(path.empty());
     const double expected = windows.distance(from);
     EXPECT_NEAR(path_length(*surface.triangles(), path), expected, 1e-12 * expected);
@@ -861,9 +861,173 @@ TEST(Window_propagation, throws_on_point_sets_and_speeds)
   EXPECT_THROW(Window_propagation{cloud}, Unsupported_surface_error);
   const Array_surface surface(square(2));
   Window_propagation windows(surface.triangles());
+  std::vector<double> slowness(8, 1.);
+  slowness[3] = 2.;
   Front_limits limits;
-  limits.slowness = std::make_shared<const std::vector<double>>(8, 1.);
+  limits.slowness = std::make_shared<const std::vector<double>>(slowness);
   EXPECT_THROW(windows.run({surface.source(0)}, limits), Unsupported_surface_error);
+}
+
+// The slowness that makes an obstacle of each triangle for which the predicate is true.
+template <typename Predicate>
+std::vector<double> obstacles(const Surface_arrays& t, const Predicate& is_obstacle,
+                              double slowness = 1.)
+{
+  std::vector<double> result(t.number_of_triangles(), slowness);
+  for(Index f = 0; f < result.size(); ++f)
+    if(is_obstacle(f))
+      result[f] = infinity;
+  return result;
+}
+
+TEST(Window_propagation, distances_around_obstacles_are_those_without_their_triangles)
+{
+  // The quarter of the square that l_shaped_room() omits.
+  const std::size_t n = 12;
+  const Array_surface full(square(n)), room(l_shaped_room(n, 0.));
+  const auto is_in_quarter = [&](Index f)
+  {
+    const Surface_arrays& t = full.t();
+    double x = 0., y = 0.;
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index i = full.caller_vertex(t.corner[3 * f + k]);
+      x += double(i % (n + 1)) / double(n) / 3.;
+      y += double(i / (n + 1)) / double(n) / 3.;
+    }
+    return x > 0.5 && y > 0.5;
+  };
+  for(const double slowness : {1., 3.})
+  {
+    Front_limits limits;
+    limits.slowness =
+        std::make_shared<const std::vector<double>>(obstacles(full.t(), is_in_quarter, slowness));
+    Window_propagation windows(full.triangles()), expected(room.triangles());
+    for(const Index source : {Index(0), Index(n), Index(5 * (n + 1) + 4)})
+    {
+      ASSERT_TRUE(windows.run({full.source(source)}, limits));
+      ASSERT_TRUE(expected.run({room.source(source)}));
+      const std::vector<double> distances = room.distances(expected);
+      // The order of the triangles may differ.
+      EXPECT_LE(
+          largest_error(full.distances(windows), [&](Index i) { return slowness * distances[i]; }),
+          slowness * round_off);
+    }
+    // The result of a query without obstacles is that of a new object.
+    ASSERT_TRUE(windows.run({full.source(0)}));
+    EXPECT_EQ(full.distances(windows), run(full, {full.source(0)}));
+  }
+}
+
+TEST(Window_propagation, path_and_departure_avoid_obstacles)
+{
+  const Array_surface surface(square(10, 0.2));
+  const Surface_arrays& t = surface.t();
+  std::mt19937 random(2);
+  std::vector<bool> is_obstacle(t.number_of_triangles());
+  for(std::size_t f = 0; f < is_obstacle.size(); ++f)
+    is_obstacle[f] = random() % 4 == 0;
+  Front_limits limits;
+  limits.slowness = std::make_shared<const std::vector<double>>(
+      obstacles(t, [&](Index f) { return is_obstacle[f]; }));
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(60)}, limits));
+  int number_of_paths = 0;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    const Surface_location from = {f, none, {0.2, 0.3, 0.5}};
+    const double distance = windows.distance(from);
+    const Bounded_path path = windows.path(from);
+    EXPECT_EQ(path.locations.empty(), distance == infinity);
+    if(is_obstacle[f])
+    {
+      EXPECT_EQ(distance, infinity);
+    }
+    if(distance == infinity)
+      continue;
+    ++number_of_paths;
+    EXPECT_NEAR(path_length(t, path.locations), distance, round_off);
+    EXPECT_NEAR(windows.departure(from).length, distance, round_off);
+    EXPECT_LE(path.lower, distance);
+    for(std::size_t i = 1; i < path.locations.size(); ++i)
+    {
+      // A segment inside a triangle or along an edge needs one triangle that is no obstacle.
+      bool is_free = false;
+      for(const Index triangle : triangles_at(t, path.locations[i]))
+        is_free = is_free ||
+                  (!is_obstacle[triangle] && barycentric_in(t, triangle, path.locations[i - 1]));
+      EXPECT_TRUE(is_free);
+    }
+  }
+  EXPECT_GT(number_of_paths, 50);
+}
+
+TEST(Window_propagation, distances_at_many_locations_equal_single_ones)
+{
+  for(const Triangulation& shape :
+      {hilly_square(16, 0.2), jittered(icosphere(3), 0.1), l_shaped_room(12, 0.2)})
+  {
+    const Array_surface surface(shape);
+    const Surface_arrays& t = surface.t();
+    std::mt19937 random(1);
+    std::vector<Surface_location> locations;
+    for(int i = 0; i < 60; ++i)
+      locations.push_back(i % 3 == 0 ? surface.at(Index(random() % surface.size()))
+                                     : random_location(t, random));
+    locations.push_back(surface.on(3, 1, 0.3));
+    Window_propagation windows(surface.triangles());
+    const std::vector<std::vector<internal::Front_source>> queries = {
+        {surface.source(0)},
+        {surface.source(surface.size() / 3, 0.2), surface.source(random_location(t, random))},
+        {{{surface.in(7, {0.2, 0.2, 0.6}), surface.in(7, {0.1, 0.8, 0.1})}, 0., 0}},
+        {surface.line({0, 1, 2})}};
+    for(const auto& sources : queries)
+      for(const double maximum_distance : {infinity, 0.5})
+      {
+        Front_limits limits;
+        limits.maximum_distance = maximum_distance / surface.scale();
+        ASSERT_TRUE(windows.run(sources, limits));
+        const std::vector<double> distances = windows.distances(locations);
+        for(std::size_t i = 0; i < locations.size(); ++i)
+        {
+          const double expected = windows.distance(locations[i]);
+          EXPECT_EQ(distances[i] < infinity, expected < infinity);
+          if(expected < infinity)
+          {
+            EXPECT_NEAR(distances[i], expected, round_off);
+          }
+        }
+      }
+  }
+}
+
+TEST(Window_propagation, distance_at_a_target_crosses_edges_with_far_ends)
+{
+  // Needles across the way from the source to the target.  Their ends are farther than the target.
+  Triangulation strip;
+  for(int i = 0; i <= 8; ++i)
+    for(const double y : {-10., 10.})
+      strip.points.push_back({0.1 * i, y + 0.01 * i, 0.});
+  for(std::size_t i = 0; i + 3 < strip.points.size(); i += 2)
+  {
+    for(const std::size_t corner : {i, i + 2, i + 1, i + 1, i + 2, i + 3})
+      strip.corners.push_back(Index(corner));
+  }
+  const Array_surface surface(strip);
+  const Surface_location from = surface.in(0, {0.3, 0.3, 0.4}),
+                         to = surface.in(15, {0.3, 0.3, 0.4});
+  Front_limits limits;
+  limits.targets = {to};
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(from)}, limits));
+  const double expected =
+      distance(point_at(surface.t(), from), point_at(surface.t(), to)) / surface.scale();
+  EXPECT_NEAR(windows.distance(to), expected, round_off);
+  EXPECT_NEAR(path_length(surface.t(), windows.path(to).locations), expected, round_off);
+  limits.targets.clear();
+  limits.maximum_distance = expected * 1.001;
+  ASSERT_TRUE(windows.run({surface.source(from)}, limits));
+  EXPECT_NEAR(windows.distance(to), expected, round_off);
 }
 
 } // namespace

@@ -74,6 +74,12 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_same_point(const Surface_arrays& triangles, const Surface_location& p,
                    const Surface_location& q);
 
+// Returns the distance of two locations in space minus round-off errors, in scaled units; a lower
+// bound of the length of all paths between them.
+CGAL_GEODESIC_PROCESSING_EXPORT
+double straight_distance(const Surface_arrays& triangles, const Surface_location& p,
+                         const Surface_location& q);
+
 // Returns the length of the polyline with these vertices in space, in scaled units.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double polyline_length(const Surface_arrays& triangles, const std::vector<Surface_location>& path);

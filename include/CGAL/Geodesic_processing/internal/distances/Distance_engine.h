@@ -21,7 +21,8 @@ enum class Distance_method
   fast_marching,
   euclidean_front,
   exact,
-  heat
+  heat,
+  automatic // exact on a mesh if the speeds admit it, otherwise euclidean_front
 };
 
 // The tag of a function or class whose method is a Distance_method that is passed at run time.
@@ -32,6 +33,10 @@ template <typename Method>
 inline constexpr bool is_front =
     std::is_same_v<Method, Dijkstra> || std::is_same_v<Method, Fast_marching> ||
     std::is_same_v<Method, Euclidean_front>;
+
+// Whether a method never computes exact distances.
+template <typename Method>
+inline constexpr bool is_approximate = is_front<Method> || std::is_same_v<Method, Heat>;
 
 // Returns the method that a tag stands for.
 template <typename Method>
@@ -45,11 +50,14 @@ constexpr Distance_method distance_method()
     return Distance_method::euclidean_front;
   else if constexpr(std::is_same_v<Method, Exact>)
     return Distance_method::exact;
+  else if constexpr(std::is_same_v<Method, Heat>)
+    return Distance_method::heat;
   else
   {
-    static_assert(std::is_same_v<Method, Heat>,
-                  "The method must be Dijkstra, Fast_marching, Euclidean_front, Exact or Heat.");
-    return Distance_method::heat;
+    static_assert(
+        std::is_same_v<Method, Automatic>,
+        "The method must be Automatic, Exact, Euclidean_front, Fast_marching, Dijkstra or Heat.");
+    return Distance_method::automatic;
   }
 }
 
@@ -73,10 +81,13 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Distance_engine
 public:
   Distance_engine(Distance_method method, std::shared_ptr<const Surface_arrays> triangles);
 
+  // Selects the kernel that admits the speeds, if the method is automatic.  run() calls it.
+  void select(const Front_limits& limits);
   // As those of Front.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
   double distance(Index vertex) const;
   double distance(const Surface_location& location) const;
+  std::vector<double> distances(const std::vector<Surface_location>& locations) const;
   Index source(Index vertex) const;
   Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const;
@@ -88,12 +99,14 @@ public:
   {
     std::visit(visitor, m_kernel);
   }
-  // Returns the exact engine, or null if the method is another one.
+  // Returns the exact kernel, or null if the last query used another one.
   const Window_propagation* windows() const { return std::get_if<Window_propagation>(&m_kernel); }
-  // Returns the kernel for the rows of a matrix, which bypasses the dispatch.
+  // Returns the kernel for the rows of a matrix, which bypasses the dispatch.  Requires select().
   Row_engine row_engine() const;
 
 private:
+  Distance_method m_method;
+  std::shared_ptr<const Surface_arrays> m_triangles;
   std::variant<Front, Window_propagation, Heat_solver> m_kernel;
 };
 

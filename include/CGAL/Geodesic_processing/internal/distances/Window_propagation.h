@@ -27,6 +27,13 @@ struct Departure
   double length = infinity; // without the offset of the source; infinite if there is no path
 };
 
+// A path, and a lower bound of the distance between its ends.
+struct Bounded_path
+{
+  std::vector<Surface_location> locations;
+  double lower = 0.;
+};
+
 // Computes exact geodesic distances on a mesh by window propagation (Mitchell, Mount and
 // Papadimitriou 1987).
 //
@@ -41,20 +48,23 @@ struct Departure
 // front, curved ones O(n^1.5) time in practice.  Windows are discarded after they have crossed.
 // The time of a query depends only on the visited triangles.  Copies share the triangles and may
 // run concurrently.
+//
+// Triangles of infinite slowness are obstacles.  They are removed from a copy of the arrays, and
+// the distances on this copy are exact.
 class CGAL_GEODESIC_PROCESSING_EXPORT Window_propagation
 {
 public:
   // Throws Unsupported_surface_error if the arrays are a cloud.
   explicit Window_propagation(std::shared_ptr<const Surface_arrays> triangles);
 
-  // As Front::run(); known_distance is ignored.  Throws Unsupported_surface_error if the limits
-  // have a slowness.
+  // As Front::run(); known_distance is ignored.  Throws Unsupported_surface_error if the slowness
+  // differs outside of obstacles.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
   // The results of the last query, in the unit of the arrays, as those of a Front.
   double distance(Index vertex) const
   {
-    return m_state.vertices[vertex].distance + m_state.min_offset;
+    return m_slowness * (m_state.vertices[vertex].distance + m_state.min_offset);
   }
   Index source(Index vertex) const { return m_state.vertices[vertex].source; }
   Index predecessor(Index vertex) const;
@@ -62,10 +72,19 @@ public:
   // Returns the exact distance at a location.  Inside a face or edge, windows are propagated back
   // from the location until they meet a source, or a vertex on a shortest path.
   double distance(const Surface_location& location) const;
+  // Returns the exact distances at many locations.  Takes as long as the query, and less than as
+  // many calls of distance() if there are hundreds of locations.
+  std::vector<double> distances(const std::vector<Surface_location>& locations) const;
   // Returns the shortest path from a location to the nearest source, shortened by
-  // shorten_geodesic().  Empty if no source reaches the location, or if round-off errors in
-  // degenerate triangles prevent the reconstruction.
-  std::vector<Surface_location> path(const Surface_location& from) const;
+  // shorten_geodesic().  It has no locations if no source reaches the location, or if round-off
+  // errors in degenerate triangles prevent the reconstruction.
+  Bounded_path path(const Surface_location& from) const;
+  // Returns a shortest path between two locations if it is shorter than `max_length`, otherwise no
+  // locations.  `lower` is the length of the shortest path, at most `max_length`, minus round-off
+  // errors.  Only windows in the ellipse of this length around both locations are propagated.
+  // Replaces the results of the last query, which has no obstacles.
+  Bounded_path path_between(const Surface_location& from, const Surface_location& to,
+                            double max_length);
   // Returns all locally shortest paths to the sources whose length exceeds the distance by at most
   // this fraction of it; at most 64 paths.  That fraction must be far shorter than an edge.
   std::vector<std::vector<Surface_location>> paths(const Surface_location& from,
@@ -88,10 +107,20 @@ private:
     std::shared_ptr<Reverse_window_search> search;
   };
 
+  void set_obstacles(const std::vector<double>* slowness);
+  Surface_location outside_obstacles(const Surface_location& location) const;
+  std::vector<Front_source> outside_obstacles(const std::vector<Front_source>& sources) const;
+  Bounded_path shortened(const std::vector<Surface_location>& path, double length) const;
+  bool is_inside_obstacle(const Surface_location& location) const;
   void limit_to_targets(const std::vector<Surface_location>& targets);
   Reverse_window_search& reverse_search() const;
 
-  Window_state m_state;
+  std::shared_ptr<const Surface_arrays> m_triangles; // with obstacles
+  // #triangles: the slowness of the last query; empty if it is 1 everywhere.
+  std::vector<double> m_slowness_map;
+  std::vector<Front_source> m_sources; // of the last query, outside of obstacles
+  double m_slowness = 1.;              // outside of obstacles
+  Window_state m_state; // on the surface without obstacles; its distances are for slowness 1
   mutable Reverse_search m_reverse_search;
 };
 

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_SHORTEST_PATH_FINDER_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_SHORTEST_PATH_FINDER_H
+
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/paths/Path_finder.h>
+
+#include <memory>
+#include <optional>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Finds paths between pairs of locations without computing a distance field.
+//
+// The path of a Path_finder is shortened to a locally shortest path.  On a mesh, its length bounds a
+// search by exact windows (Window_propagation::path_between()).  Copies share the triangles;
+// different copies can be used concurrently.
+class CGAL_GEODESIC_PROCESSING_EXPORT Shortest_path_finder
+{
+public:
+  explicit Shortest_path_finder(std::shared_ptr<const Surface_arrays> triangles);
+
+  // As Path_finder::add_landmarks().
+  void add_landmarks(unsigned number_of_landmarks) { m_finder.add_landmarks(number_of_landmarks); }
+
+  // Returns a locally shortest path; no locations if there is none.  `lower` is the straight
+  // distance.
+  Bounded_path locally_shortest_path(const Surface_location& from, const Surface_location& to);
+  // Returns a shortest path; no locations if there is none.  On a cloud, returns a locally shortest
+  // path.
+  Bounded_path shortest_path(const Surface_location& from, const Surface_location& to);
+
+private:
+  std::shared_ptr<const Surface_arrays> m_triangles;
+  Path_finder m_finder;
+  std::optional<Window_propagation> m_windows; // created by the first search
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_SHORTEST_PATH_FINDER_H
