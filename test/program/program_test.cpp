@@ -213,7 +213,7 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   for(const char* const command :
       {"distance square.ply --source 0", "matrix square.ply --number 2"})
     expect_failure(std::string(command) + " --method fast", 1,
-                   "exact, heat, spectral, emd and biharmonic");
+                   "dijkstra, heat, spectral, emd and biharmonic");
   expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
   expect_failure("distance square.ply --source 0 --speed colours --strength -1", 1, "--strength");
   expect_failure("distance square.ply --source 0 --speed colours --strength nan", 1, "--strength");
@@ -353,9 +353,9 @@ TEST_F(Program, json_has_documented_keys)
   expect_keys("info cloud.xyz", {"components", "bounding_box"});
   expect_keys("distance square.ply --source 0", {"max", "unreached"});
   expect_keys("distance cloud.xyz --source 0", {"max", "unreached"});
-  expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "points"});
+  expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "lower", "points"});
   expect_keys("path cloud.xyz --from 0 --to 143",
-              {"length", "front_distance", "points", "start_length"});
+              {"length", "front_distance", "lower", "points", "start_length"});
   expect_keys("logmap square.ply --base 40", {"values", "cut", "folded_faces"});
   expect_keys("decal square.ply --base 40", {"covered"});
   expect_keys("flatten square.ply", {"base_points", "flips", "conformal", "authalic",
@@ -1238,12 +1238,12 @@ TEST_F(Program, doubling_speed_halves_distance)
 
 TEST_F(Program, speed_depends_on_curvature)
 {
-  // A flat square has no curvature. Only the front that supports speeds remains.
+  // A flat square has no curvature, so that speeds are equal and distances are exact.
   for(const char* const speed : {"curvature-attractive", "curvature-repulsive"})
   {
     json(std::string("distance square.ply --source 0 --values s.txt --strength 3 --speed ") +
          speed);
-    json("distance square.ply --source 0 --values d.txt --method fast-marching");
+    json("distance square.ply --source 0 --values d.txt");
     const std::vector<double> bent = numbers("s.txt"), plain = numbers("d.txt");
     for(std::size_t i = 0; i < 81; ++i)
       EXPECT_NEAR(bent[i], plain[i], 1e-12); // round-off errors
@@ -1314,7 +1314,7 @@ TEST_F(Program, speed_depends_on_colors_and_images)
     line = end + color.size();
   }
   write("red.ply", square);
-  json("distance square.ply --source 0 --values d.txt --method fast-marching");
+  json("distance square.ply --source 0 --values d.txt");
   const std::vector<double> plain = numbers("d.txt");
   for(const auto& [strength, factor] : {std::pair(" --strength 1", 2.), std::pair("", 21.)})
   {

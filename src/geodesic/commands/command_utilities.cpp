@@ -16,7 +16,7 @@ namespace {
 bool is_solver_method(const std::string& method)
 {
   return method == "dijkstra" || method == "fast-marching" || method == "euclidean" ||
-         method == "exact" || method == "heat";
+         method == "exact" || method == "heat" || method == "automatic";
 }
 
 } // namespace
@@ -39,15 +39,16 @@ void check_method(const std::string& method, const std::string& option)
                       ": only the commands distance and matrix support this method.");
   if(!is_solver_method(method))
     throw Usage_error(option + " " + printable(method) +
-                      ": the methods are dijkstra, fast-marching, euclidean, exact and heat.");
+                      ": the methods are automatic, exact, euclidean, fast-marching, dijkstra and "
+                      "heat.");
 }
 
 void check_method_or_metric(const std::string& method)
 {
   if(!is_metric(method) && !is_solver_method(method))
     throw Usage_error("--method " + printable(method) +
-                      ": the methods are dijkstra, fast-marching, euclidean, exact, heat, "
-                      "spectral, emd and biharmonic.");
+                      ": the methods are automatic, exact, euclidean, fast-marching, dijkstra, "
+                      "heat, spectral, emd and biharmonic.");
 }
 
 GP::internal::Distance_method to_method(const std::string& method)
@@ -57,7 +58,8 @@ GP::internal::Distance_method to_method(const std::string& method)
          : method == "fast-marching" ? Distance_method::fast_marching
          : method == "exact"         ? Distance_method::exact
          : method == "heat"          ? Distance_method::heat
-                                     : Distance_method::euclidean_front;
+         : method == "euclidean"     ? Distance_method::euclidean_front
+                                     : Distance_method::automatic;
 }
 
 void check_method(const std::string& method, const Surface& surface)

@@ -20,7 +20,7 @@ struct Distance_options
   std::string source;    // "V,V,..."
   std::string source_at; // "x,y,z"
   bool use_boundary = false;
-  std::string method = "euclidean";
+  std::string method = "automatic";
   std::optional<std::size_t> basis_size;
   double max_distance = std::numeric_limits<double>::infinity();
   Speed_options speed_options;
@@ -123,11 +123,11 @@ void check(const Distance_options& options)
   if(!(options.max_distance >= 0.))
     throw Usage_error("--limit: the distance must not be negative.");
   check(options.speed_options);
-  if(options.speed_options.is_given() && options.method != "fast-marching" &&
+  if(options.speed_options.is_given() && options.method != "automatic" &&
+     options.method != "exact" && options.method != "fast-marching" &&
      options.method != "euclidean")
-    throw Usage_error(
-        "--speed, --density-image: only the methods fast-marching and euclidean support "
-        "speeds.");
+    throw Usage_error("--speed, --density-image: only the methods automatic, exact, euclidean and "
+                      "fast-marching support speeds.");
 }
 
 void run_distance(Job& job, const Distance_options& options)
@@ -173,8 +173,9 @@ void add_distance(CLI::App& program)
                    "sources at all boundary cycles of a mesh");
   command
       .add("--method", options->method, "NAME",
-           "dijkstra, fast-marching, euclidean, exact or heat; or, from a single source and "
-           "in seconds, the metrics spectral, emd (optimal transport) or biharmonic")
+           "exact, euclidean, fast-marching, dijkstra, heat, or automatic: exact on meshes if the "
+           "speeds admit it, otherwise euclidean; or, from a single source and in seconds, the "
+           "metrics spectral, emd (optimal transport) or biharmonic")
       .shows_default();
   command.add("--basis", options->basis_size, "K",
               "basis size of emd: 0 is spectral, larger values approximate geodesic distances "

@@ -214,7 +214,7 @@ void add_logmap(CLI::App& program)
       .shows_default();
   command
       .add("--distances", options->distances, "NAME",
-           "distances for gradient: dijkstra, fast-marching, euclidean, exact or heat")
+           "distances for gradient: automatic, exact, euclidean, fast-marching, dijkstra or heat")
       .shows_default();
   command.set_callback([job, options] { run_logmap(*job, *options); });
 }

@@ -22,7 +22,7 @@ struct Matrix_options
 {
   std::string sources; // "V,V,..."
   std::optional<std::size_t> number;
-  std::string method = "euclidean";
+  std::string method = "automatic";
   std::optional<std::size_t> basis_size;
   double max_distance = infinity;
 
@@ -96,9 +96,8 @@ Matrix_result compute_matrix(const Surface_type& surface, const Matrix_options& 
                               [&](const auto& metric)
                               { result.dense = metric.distance_matrix(descriptors); });
     if(!job.picture().empty()) // a picture shows path lengths
-      result.values =
-          picture_values(domain, descriptors, GP::internal::Distance_method::euclidean_front,
-                         result, options, job);
+      result.values = picture_values(domain, descriptors, GP::internal::Distance_method::automatic,
+                                     result, options, job);
   }
   else
   {
@@ -249,7 +248,8 @@ void add_matrix(CLI::App& program)
               "number of vertices, selected by farthest point sampling");
   command
       .add("--method", options->method, "NAME",
-           "dijkstra, fast-marching, euclidean, exact or heat; spectral, emd or biharmonic")
+           "automatic, exact, euclidean, fast-marching, dijkstra or heat, as for distance; "
+           "spectral, emd or biharmonic")
       .shows_default();
   command.add("--basis", options->basis_size, "K",
               "basis size of emd, as for distance (default 100)");

@@ -23,6 +23,7 @@ struct Path_options
 {
   Path_end from = {"", "", "--from", "--from-at"}, to = {"", "", "--to", "--to-at"};
   std::string method; // the path follows this method's distances; empty: search for a single path
+  bool is_locally_shortest = false; // the search ends with the first locally shortest path
   Cloud_path_options cloud;
   bool start = false; // also output the initial path in the surfel graph
 };
@@ -30,7 +31,7 @@ struct Path_options
 struct Path_result
 {
   std::vector<Point> points;
-  double length = 0., front_distance = 0.;
+  double length = 0., front_distance = 0., lower = 0.;
   // On a cloud:
   std::vector<Point> start;
   double start_length = 0.;
@@ -52,6 +53,7 @@ void copy_path(const Path& path, Path_result& result)
     result.points.push_back(coordinates(p));
   result.length = path.length;
   result.front_distance = path.front_distance;
+  result.lower = path.lower;
 }
 
 // Computes the path between two endpoints.
@@ -73,7 +75,12 @@ Path_result find_path(const Surface_type& surface, const Path_options& options, 
       [&](const auto& begin, const auto& end)
       {
         if(options.method.empty())
-          copy_path(GP::Geodesic_path_finder<Surface_type>(domain)(begin, end), result);
+        {
+          GP::Geodesic_path_finder<Surface_type> finder(domain);
+          copy_path(options.is_locally_shortest ? finder.locally_shortest_path(begin, end)
+                                                : finder(begin, end),
+                    result);
+        }
         else
         {
           Distance_solver<Surface_type> solver(domain, to_method(options.method));
@@ -148,6 +155,7 @@ void run_path(Job& job, const Path_options& options)
     fail(surface.name, "no path connects the endpoints, which are in different components");
   job.result()["length"] = json_number(result.length);
   job.result()["front_distance"] = json_number(result.front_distance);
+  job.result()["lower"] = json_number(result.lower);
   job.result()["points"] = result.points.size();
   if(!result.start.empty())
     job.result()["start_length"] = json_number(result.start_length);
@@ -191,8 +199,10 @@ void add_path(CLI::App& program)
     command.add(end->point_option, end->point, "x,y,z", "endpoint: location closest to a point");
   }
   command.add("--method", options->method, "NAME",
-              "follow the distances of a method: dijkstra, fast-marching, euclidean, exact or "
-              "heat (default: search for a single path)");
+              "follow the distances of a method: automatic, exact, euclidean, fast-marching, "
+              "dijkstra or heat (default: search for a single path, on meshes a shortest one)");
+  command.add_flag("--locally-shortest", options->is_locally_shortest,
+                   "without --method: a locally shortest path, which is found faster");
   add_cloud_path_options(command, options->cloud);
   command.add_flag("--start", options->start,
                    "for clouds, also write and draw the initial path in the surfel graph");
