@@ -226,6 +226,9 @@ void measure_paths(const std::string& name, const Mesh& mesh, const Mesh& coarse
   std::vector<Path_method> methods;
   methods.push_back({"geodesic_path(domain)", 0.,
                      [&](Vertex p, Vertex q) { return GP::geodesic_path(domain, p, q).length; }});
+  methods.push_back({"geodesic_path<Euclidean_front>(domain)", 0., [&](Vertex p, Vertex q) {
+                       return GP::geodesic_path<GP::Euclidean_front>(domain, p, q).length;
+                     }});
   Solver<GP::Euclidean_front> front(domain);
   methods.push_back({"Geodesic_distance_solver, targets", 0.,
                      [&](Vertex p, Vertex q)
@@ -242,8 +245,13 @@ void measure_paths(const std::string& name, const Mesh& mesh, const Mesh& coarse
           path_finder = std::make_shared<GP::Geodesic_path_finder<Mesh>>(domain);
           path_finder->add_landmarks(landmarks);
         });
-    methods.push_back({"Geodesic_path_finder, " + std::to_string(landmarks) + " landmarks", prepare,
+    const std::string finder_name =
+        "Geodesic_path_finder, " + std::to_string(landmarks) + " landmarks, ";
+    methods.push_back({finder_name + "shortest", prepare,
                        [path_finder](Vertex p, Vertex q) { return (*path_finder)(p, q).length; }});
+    methods.push_back({finder_name + "locally shortest", prepare,
+                       [path_finder](Vertex p, Vertex q)
+                       { return path_finder->locally_shortest_path(p, q).length; }});
   }
 
   // Each method runs on the pairs twice. The first round is reported separately, because it fills
