@@ -7,13 +7,10 @@
 #include "distances/Window_propagator.h"
 
 #include <cmath>
-#include <limits>
 
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
-
-constexpr double infinite_slowness = std::numeric_limits<double>::infinity();
 
 // Removes corners from the rings.
 template <typename Predicate>
@@ -38,7 +35,7 @@ std::optional<double> uniform_slowness(const std::vector<double>& slowness)
 {
   std::optional<double> result;
   for(const double value : slowness)
-    if(value < infinite_slowness)
+    if(value < infinity)
     {
       if(result && std::abs(value - *result) > round_off_tolerance * *result)
         return std::nullopt;
@@ -51,7 +48,7 @@ std::shared_ptr<const Surface_arrays> without_obstacles(const Surface_arrays& me
                                                         const std::vector<double>& slowness)
 {
   const auto is_obstacle = [&](Index halfedge_or_corner)
-  { return slowness[halfedge_or_corner / 3] == infinite_slowness; };
+  { return slowness[halfedge_or_corner / 3] == infinity; };
   auto result = std::make_shared<Surface_arrays>();
   result->corner = mesh.corner;
   result->twin = mesh.twin;
