@@ -10,7 +10,7 @@
 
 #include <random>
 
-namespace {
+namespace Base_parameterization_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -81,4 +81,4 @@ TEST(Base_parameterization, throws_on_invalid_locations)
   EXPECT_THROW(other(isolated), GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace Base_parameterization_test

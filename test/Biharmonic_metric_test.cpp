@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace Biharmonic_metric_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -84,4 +84,4 @@ TEST(Biharmonic_metric, throws_on_invalid_location)
   EXPECT_THROW(GP::Biharmonic_metric<Mesh>{nothing}, GP::Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace Biharmonic_metric_test

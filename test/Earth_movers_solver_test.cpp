@@ -19,7 +19,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace Earth_movers_solver_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -268,4 +268,4 @@ TEST(Earth_movers_solver, throws_on_invalid_masses)
   EXPECT_THROW(GP::Earth_movers_solver<Mesh>{empty}, GP::Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace Earth_movers_solver_test

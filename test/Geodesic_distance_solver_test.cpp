@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace {
+namespace Geodesic_distance_solver_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -342,4 +342,4 @@ TEST(Exact_geodesic_distance_solver, departures_match_directions_in_plane)
   EXPECT_EQ(unreachable.direction, CGAL::NULL_VECTOR);
 }
 
-} // namespace
+} // namespace Geodesic_distance_solver_test

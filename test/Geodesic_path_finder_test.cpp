@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace Geodesic_path_finder_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -89,4 +89,4 @@ TEST(Geodesic_path_finder, throws_on_locations_outside_faces)
   EXPECT_THROW(finder(mesh.vertices[0], outside), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace Geodesic_path_finder_test

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Location_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -45,4 +45,4 @@ TEST(Location, is_surfel_and_offset_on_clouds)
   EXPECT_EQ(location.offset, (std::array<double, 2>{0., 0.}));
 }
 
-} // namespace
+} // namespace Location_test

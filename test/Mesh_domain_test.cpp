@@ -16,7 +16,7 @@
 
 #include <limits>
 
-namespace {
+namespace Mesh_domain_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -236,4 +236,4 @@ TEST(Mesh_domain, accepts_empty_mesh)
   EXPECT_EQ(domain.number_of_vertices(), 0u);
 }
 
-} // namespace
+} // namespace Mesh_domain_test

@@ -16,7 +16,7 @@
 #include <iterator>
 #include <vector>
 
-namespace {
+namespace Region_transport_solver_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -219,4 +219,4 @@ TEST(Region_transport_solver, throws_on_invalid_region)
                GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace Region_transport_solver_test

@@ -15,7 +15,7 @@
 
 #include <limits>
 
-namespace {
+namespace Source_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -116,4 +116,4 @@ TEST(Source, throws_on_invalid_sources)
                GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace Source_test

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Streamline_tracer_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -222,4 +222,4 @@ TEST(Streamline_tracer, zero_flow_gives_trivial_lines)
   EXPECT_TRUE(lines.empty());
 }
 
-} // namespace
+} // namespace Streamline_tracer_test

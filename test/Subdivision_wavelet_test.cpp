@@ -19,7 +19,7 @@
 #include <numeric>
 #include <random>
 
-namespace {
+namespace Subdivision_wavelet_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -240,4 +240,4 @@ TEST(Subdivision_wavelet, supports_components_and_isolated_vertices)
   }
 }
 
-} // namespace
+} // namespace Subdivision_wavelet_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace Surface_path_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -83,4 +83,4 @@ TEST(Surface_path, is_empty_between_components)
   EXPECT_EQ(path.front_distance, internal::infinity);
 }
 
-} // namespace
+} // namespace Surface_path_test

@@ -13,7 +13,7 @@
 
 #include <limits>
 
-namespace {
+namespace Surfel_domain_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -188,4 +188,4 @@ TEST(Surfel_domain, accepts_empty_cloud_and_single_surfels)
   EXPECT_EQ(GP::Surfel_domain<Surfels>(flat_surfels(1), maps).number_of_vertices(), 1u);
 }
 
-} // namespace
+} // namespace Surfel_domain_test

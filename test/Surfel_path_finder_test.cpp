@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
 
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_estimation.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
-#include <CGAL/mst_orient_normals.h>
-#include <CGAL/pca_estimate_normals.h>
 
 #include "Mesh_of.h"
 
@@ -19,7 +19,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace {
+namespace Surfel_path_finder_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -167,7 +167,7 @@ TEST(Surfel_path_finder, agrees_between_search_methods)
   }
 }
 
-// Returns a scan with normals, estimated by CGAL if the file has none. Returns an empty set if the
+// Returns a scan with normals, which are estimated if the file has none. Returns an empty set if the
 // file is missing.
 Point_set scan(const std::string& name)
 {
@@ -180,8 +180,13 @@ Point_set scan(const std::string& name)
   if(!points.has_normal_map())
   {
     points.add_normal_map();
-    CGAL::pca_estimate_normals<CGAL::Sequential_tag>(points, 18, points.parameters());
-    CGAL::mst_orient_normals(points, 18, points.parameters());
+    std::vector<GP::internal::Vec3> coordinates;
+    for(const auto& index : points)
+      coordinates.push_back(
+          {points.point(index).x(), points.point(index).y(), points.point(index).z()});
+    const auto normals = GP::internal::estimate_surfels(coordinates, 18, 0.).normals;
+    for(std::size_t i = 0; i < normals.size(); ++i)
+      points.normal(*(points.begin() + i)) = {normals[i][0], normals[i][1], normals[i][2]};
   }
   return points;
 }
@@ -306,4 +311,4 @@ TEST(Surfel_path_finder, copies_share_fitted_cloud)
   EXPECT_EQ(finder.noise(), 0.);
 }
 
-} // namespace
+} // namespace Surfel_path_finder_test

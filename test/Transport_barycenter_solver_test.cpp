@@ -17,7 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace Transport_barycenter_solver_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -297,4 +297,4 @@ TEST(Transport_barycenter_solver, throws_on_invalid_input)
   expect_throws_for_masses(std::numeric_limits<double>::infinity(), 1., true);
 }
 
-} // namespace
+} // namespace Transport_barycenter_solver_test

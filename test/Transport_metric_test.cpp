@@ -14,7 +14,7 @@
 #include <cmath>
 #include <functional>
 
-namespace {
+namespace Transport_metric_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -317,4 +317,4 @@ TEST(Transport_metric, throws_on_invalid_location)
   EXPECT_THROW(GP::Transport_metric<Mesh>{nothing}, GP::Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace Transport_metric_test

@@ -20,7 +20,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace Volumetric_metric_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -247,4 +247,4 @@ TEST(Volumetric_metric, throws_on_invalid_input)
                GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace Volumetric_metric_test

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace bake_atlas_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -138,4 +138,4 @@ TEST(bake_atlas, throws_on_non_triangular_faces)
                GP::Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace bake_atlas_test

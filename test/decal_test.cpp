@@ -15,7 +15,7 @@
 #include <limits>
 #include <set>
 
-namespace {
+namespace decal_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -420,4 +420,4 @@ TEST(decal, throws_on_invalid_input)
                GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace decal_test

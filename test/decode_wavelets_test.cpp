@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-namespace {
+namespace decode_wavelets_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -137,4 +137,4 @@ TEST(decode_wavelets, throws_on_invalid_streams)
   EXPECT_EQ(decoded.number_of_vertices(), 0u);
 }
 
-} // namespace
+} // namespace decode_wavelets_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace distortion_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -131,4 +131,4 @@ TEST(distortion, flattening_distortion_is_scale_invariant)
   EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 72u);
 }
 
-} // namespace
+} // namespace distortion_test

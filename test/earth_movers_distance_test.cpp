@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace earth_movers_distance_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -41,4 +41,4 @@ TEST(earth_movers_distance, accepts_domain)
             GP::earth_movers_distance(mesh, Vertex(0), Vertex(24)).value);
 }
 
-} // namespace
+} // namespace earth_movers_distance_test

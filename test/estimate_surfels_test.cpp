@@ -12,7 +12,7 @@
 #include <limits>
 #include <set>
 
-namespace {
+namespace estimate_surfels_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -95,4 +95,4 @@ TEST(estimate_surfels, throws_on_invalid_input)
   EXPECT_THROW(GP::estimate_surfels(points), GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace estimate_surfels_test

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace {
+namespace exceptions_test {
 
 using namespace CGAL::Geodesic_processing;
 
@@ -24,4 +24,4 @@ TEST(Exceptions, are_runtime_errors_with_message)
   EXPECT_FALSE((std::is_base_of_v<Invalid_argument_error, Unsupported_surface_error>));
 }
 
-} // namespace
+} // namespace exceptions_test

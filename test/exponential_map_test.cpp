@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace {
+namespace exponential_map_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -64,4 +64,4 @@ TEST(exponential_map, throws_on_invalid_input)
                GP::Invalid_argument_error); // normal to the surface
 }
 
-} // namespace
+} // namespace exponential_map_test

@@ -17,7 +17,7 @@
 #include <numeric>
 #include <set>
 
-namespace {
+namespace farthest_point_sampling_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -328,4 +328,4 @@ TEST(Farthest_point_sampling, can_be_cancelled)
   EXPECT_EQ(samples.size(), 10u);
 }
 
-} // namespace
+} // namespace farthest_point_sampling_test

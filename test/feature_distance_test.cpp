@@ -17,7 +17,7 @@
 #include <iterator>
 #include <vector>
 
-namespace {
+namespace feature_distance_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -222,4 +222,4 @@ TEST(Feature_distance, is_infinite_if_unreachable)
   EXPECT_EQ(behind_obstacle[Vertex(4)], infinity);
 }
 
-} // namespace
+} // namespace feature_distance_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace fuzzy_geodesic_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -135,4 +135,4 @@ TEST(fuzzy_geodesic, throws_if_not_connected)
   }
 }
 
-} // namespace
+} // namespace fuzzy_geodesic_test

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace geodesic_barycenter_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -112,4 +112,4 @@ TEST(Geodesic_barycenter, throws_if_no_barycenter_exists)
       Vertex(0));
 }
 
-} // namespace
+} // namespace geodesic_barycenter_test

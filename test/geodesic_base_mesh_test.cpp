@@ -12,7 +12,7 @@
 #include <functional>
 #include <map>
 
-namespace {
+namespace geodesic_base_mesh_test {
 
 namespace GP = CGAL::Geodesic_processing;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -71,4 +71,4 @@ TEST(geodesic_base_mesh, throws_without_triangles)
                GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace geodesic_base_mesh_test

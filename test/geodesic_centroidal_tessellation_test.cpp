@@ -19,7 +19,7 @@
 #include <map>
 #include <set>
 
-namespace {
+namespace geodesic_centroidal_tessellation_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -208,4 +208,4 @@ TEST(Geodesic_centroidal_tessellation, patches_are_disks_on_real_models)
   }
 }
 
-} // namespace
+} // namespace geodesic_centroidal_tessellation_test

@@ -23,7 +23,7 @@
 #include <map>
 #include <set>
 
-namespace {
+namespace geodesic_delaunay_remeshing_test {
 
 namespace GP = CGAL::Geodesic_processing;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -630,4 +630,4 @@ TEST(Geodesic_delaunay_remeshing, can_be_cancelled)
   EXPECT_TRUE(is_empty(output));
 }
 
-} // namespace
+} // namespace geodesic_delaunay_remeshing_test

@@ -13,7 +13,7 @@
 #include <atomic>
 #include <limits>
 
-namespace {
+namespace geodesic_distance_matrix_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -213,4 +213,4 @@ TEST(Geodesic_distance_matrix, throws_on_invalid_input)
   EXPECT_EQ(GP::sparse_geodesic_distance_matrix(mesh, std::vector<Vertex>(), 1.).size(), 0);
 }
 
-} // namespace
+} // namespace geodesic_distance_matrix_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <map>
 
-namespace {
+namespace geodesic_distances_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -341,4 +341,4 @@ TEST(Geodesic_distances, are_accurate_on_spherical_point_set)
       0.01);
 }
 
-} // namespace
+} // namespace geodesic_distances_test

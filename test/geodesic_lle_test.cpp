@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace geodesic_lle_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -318,4 +318,4 @@ TEST(geodesic_lle, unflips_few_inverted_faces)
   }
 }
 
-} // namespace
+} // namespace geodesic_lle_test

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace {
+namespace geodesic_mds_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -58,4 +58,4 @@ TEST(geodesic_mds, throws_on_invalid_arguments)
   EXPECT_EQ(GP::geodesic_mds(one, uv_of_one).size(), 3u);
 }
 
-} // namespace
+} // namespace geodesic_mds_test

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace {
+namespace geodesic_path_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -239,4 +239,4 @@ TEST(Geodesic_path, joins_end_points_on_point_set)
   EXPECT_EQ(path_to_itself.points.size(), 1u);
 }
 
-} // namespace
+} // namespace geodesic_path_test

@@ -19,7 +19,7 @@
 #include <map>
 #include <set>
 
-namespace {
+namespace geodesic_voronoi_diagram_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -261,4 +261,4 @@ TEST(Geodesic_voronoi_cells, handle_pinched_mesh)
   EXPECT_NEAR(found.at(0) + found.at(1), 2., 1e-12); // round-off errors
 }
 
-} // namespace
+} // namespace geodesic_voronoi_diagram_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace {
+namespace hodge_decomposition_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -125,4 +125,4 @@ TEST(hodge_decomposition, throws_on_non_finite_field)
   EXPECT_THROW(decomposition.decompose(), GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace hodge_decomposition_test

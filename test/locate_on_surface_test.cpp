@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace {
+namespace locate_on_surface_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -104,4 +104,4 @@ TEST(Locate_on_surface, throws_on_nonfinite_points_and_empty_surfaces)
                GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace locate_on_surface_test

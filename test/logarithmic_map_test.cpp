@@ -14,7 +14,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace {
+namespace logarithmic_map_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -281,4 +281,4 @@ TEST(logarithmic_map, throws_on_invalid_input)
                GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace logarithmic_map_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace {
+namespace make_domain_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -156,4 +156,4 @@ TEST(Make_domain, accepts_boundary_components_and_degenerate_faces)
   check();
 }
 
-} // namespace
+} // namespace make_domain_test

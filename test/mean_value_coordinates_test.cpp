@@ -14,7 +14,7 @@
 
 #include <map>
 
-namespace {
+namespace mean_value_coordinates_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -75,4 +75,4 @@ TEST(mean_value_coordinates, throws_on_open_meshes)
                GP::Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace mean_value_coordinates_test

@@ -16,7 +16,7 @@
 #include <limits>
 #include <string>
 
-namespace {
+namespace minimize_distortion_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -119,4 +119,4 @@ TEST(minimize_distortion, distortion_is_close_to_arap_on_real_patches)
   }
 }
 
-} // namespace
+} // namespace minimize_distortion_test

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace parameterize_over_base_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -33,4 +33,4 @@ TEST(parameterize_over_base, writes_location_of_each_vertex)
   EXPECT_EQ(base_locations[isolated].face, 12345u);
 }
 
-} // namespace
+} // namespace parameterize_over_base_test

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace {
+namespace parameters_test {
 
 namespace GP = CGAL::Geodesic_processing;
 
@@ -102,4 +102,4 @@ TEST(Parameters, store_function_objects)
   EXPECT_TRUE(was_called);
 }
 
-} // namespace
+} // namespace parameters_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <map>
 
-namespace {
+namespace principal_curvatures_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -91,4 +91,4 @@ TEST(Principal_curvatures, throws_on_invalid_radius)
                  GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace principal_curvatures_test

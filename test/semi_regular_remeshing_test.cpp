@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-namespace {
+namespace semi_regular_remeshing_test {
 
 namespace GP = CGAL::Geodesic_processing;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -166,4 +166,4 @@ TEST(semi_regular_remeshing, starts_with_first_samples)
   EXPECT_EQ(output.point(Vertex(0)), mesh.point(first));
 }
 
-} // namespace
+} // namespace semi_regular_remeshing_test

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace shorten_polyline_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -78,4 +78,4 @@ TEST(shorten_polyline, throws_on_invalid_polyline)
                GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace shorten_polyline_test

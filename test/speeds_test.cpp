@@ -15,7 +15,7 @@
 #include <iterator>
 #include <map>
 
-namespace {
+namespace speeds_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -254,4 +254,4 @@ TEST(Speeds, throws_on_invalid_input)
   EXPECT_THROW(GP::image_speeds(mesh, image, speed), GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace speeds_test

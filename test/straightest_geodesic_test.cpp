@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace straightest_geodesic_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -92,4 +92,4 @@ TEST(Straightest_geodesic, throws_on_invalid_direction_or_length)
   EXPECT_NO_THROW(trace(Vector_3(1., 0., 0.), 0.1));
 }
 
-} // namespace
+} // namespace straightest_geodesic_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace surfel_geodesic_path_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -63,4 +63,4 @@ TEST(surfel_geodesic_path, throws_on_invalid_surfels)
                GP::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace surfel_geodesic_path_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace surfel_variants_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -35,4 +35,4 @@ TEST(surfel_variants, every_variant_finds_path)
     expect_a_path(GP::parameters::surfel_noise(noise));
 }
 
-} // namespace
+} // namespace surfel_variants_test

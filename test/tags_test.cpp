@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace tags_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -35,4 +35,4 @@ TEST(Tags, select_methods_with_expected_errors)
   EXPECT_NEAR(distance_across_square<Heat>(), std::sqrt(2.), 0.1);
 }
 
-} // namespace
+} // namespace tags_test

@@ -15,7 +15,7 @@
 #include <map>
 #include <set>
 
-namespace {
+namespace texture_atlas_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -147,4 +147,4 @@ TEST(texture_atlas, throws_on_invalid_arguments_and_can_be_cancelled)
   EXPECT_TRUE(none.is_injective());
 }
 
-} // namespace
+} // namespace texture_atlas_test

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace {
+namespace transport_barycenter_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -36,4 +36,4 @@ TEST(Transport_barycenter, agrees_with_solver)
   EXPECT_EQ(GP::transport_barycenter(domain, points, masses, np).value, cost.value);
 }
 
-} // namespace
+} // namespace transport_barycenter_test

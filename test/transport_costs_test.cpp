@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace {
+namespace transport_costs_test {
 
 namespace GP = CGAL::Geodesic_processing;
 
@@ -19,4 +19,4 @@ TEST(transport_costs, continuous_bound_is_infinite_by_default)
   EXPECT_TRUE(GP::Transport_barycenter_cost().distances.empty());
 }
 
-} // namespace
+} // namespace transport_costs_test

@@ -12,7 +12,7 @@
 #include <iterator>
 #include <vector>
 
-namespace {
+namespace transport_streamlines_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -81,4 +81,4 @@ TEST(transport_streamlines, starts_at_seeds)
   EXPECT_EQ(lines_from_seeds[0].locations.front(), seeds[0]);
 }
 
-} // namespace
+} // namespace transport_streamlines_test

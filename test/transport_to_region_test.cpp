@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace {
+namespace transport_to_region_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -52,4 +52,4 @@ TEST(Transport_to_region, agrees_with_solver)
   EXPECT_LT((moment - mean_displacement).squared_length(), 1e-16);
 }
 
-} // namespace
+} // namespace transport_to_region_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace volumetric_distance_test {
 
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
@@ -23,4 +23,4 @@ TEST(volumetric_distance, agrees_with_metric)
             GP::volumetric_distance(mesh, from, to).value);
 }
 
-} // namespace
+} // namespace volumetric_distance_test

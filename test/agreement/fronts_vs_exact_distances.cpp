@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace fronts_vs_exact_distances {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -102,4 +102,4 @@ INSTANTIATE_TEST_SUITE_P(Fronts_vs_exact_distances, Fronts_vs_exact_distances_on
                          testing::Values("elephant_2k8.off", "femur_3k9.off", "cow_2k9.off",
                                          "knot1_3k.off"));
 
-} // namespace
+} // namespace fronts_vs_exact_distances

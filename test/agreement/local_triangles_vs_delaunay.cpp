@@ -17,7 +17,7 @@
 // triangles near the boundary with large circumradii are missing.
 
 namespace CGAL::Geodesic_processing::internal {
-namespace {
+namespace local_triangles_vs_delaunay {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
@@ -109,5 +109,5 @@ TEST(Local_triangles_vs_delaunay, agree_on_varying_density)
   expect_agreement(points_in_plane);
 }
 
-} // namespace
+} // namespace local_triangles_vs_delaunay
 } // namespace CGAL::Geodesic_processing::internal

@@ -9,7 +9,7 @@
 
 #include <map>
 
-namespace {
+namespace mesh_vs_refinement_and_point_set {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -121,4 +121,4 @@ TEST_P(Distances_vs_refinement_on_scans, agree)
 INSTANTIATE_TEST_SUITE_P(Distances_vs_refinement_and_point_set, Distances_vs_refinement_on_scans,
                          testing::Values("elephant_2k8.off", "femur_3k9.off", "cow_2k9.off"));
 
-} // namespace
+} // namespace mesh_vs_refinement_and_point_set

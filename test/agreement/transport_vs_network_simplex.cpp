@@ -17,7 +17,7 @@
 #include <numeric>
 #include <random>
 
-namespace {
+namespace transport_vs_network_simplex {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -135,4 +135,4 @@ TEST(transport, bounds_enclose_optimal_cost)
   }
 }
 
-} // namespace
+} // namespace transport_vs_network_simplex

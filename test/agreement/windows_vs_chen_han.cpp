@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace windows_vs_chen_han {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -97,4 +97,4 @@ TEST(Windows_vs_chen_han, agree_on_scans_and_cad_models)
     GTEST_SKIP() << no_models;
 }
 
-} // namespace
+} // namespace windows_vs_chen_han

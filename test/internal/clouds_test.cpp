@@ -9,7 +9,7 @@
 
 // Checks that the noise of test clouds is that of the paper.
 
-namespace {
+namespace clouds_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -135,4 +135,4 @@ TEST(clouds, are_deterministic_for_seed)
   EXPECT_NE(with_noise(square, radii, 1., 5).points, with_noise(square, radii, 1., 6).points);
 }
 
-} // namespace
+} // namespace clouds_test

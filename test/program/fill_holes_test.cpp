@@ -13,7 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace {
+namespace fill_holes_test {
 
 using program::Hole_filling_result;
 using program::Mesh;
@@ -239,4 +239,4 @@ TEST(Fill_holes, leaves_degenerate_or_expensive_holes)
     }
 }
 
-} // namespace
+} // namespace fill_holes_test

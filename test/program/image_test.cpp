@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace {
+namespace image_test {
 
 using program::Color;
 using program::Image;
@@ -102,4 +102,4 @@ TEST(Image, compass_rose_is_round_and_points_up)
   EXPECT_EQ(rose.rgba_at(0.5, 0.5)[3], 1.);
 }
 
-} // namespace
+} // namespace image_test

@@ -24,7 +24,7 @@
 
 #include <sys/wait.h>
 
-namespace {
+namespace program_test {
 
 namespace fs = std::filesystem;
 
@@ -1679,4 +1679,4 @@ TEST_F(Program, accepts_non_ascii_file_names)
   EXPECT_TRUE(fs::exists(m_folder / "c d.ply"));
 }
 
-} // namespace
+} // namespace program_test

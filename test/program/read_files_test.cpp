@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace {
+namespace read_files_test {
 
 using program::Surface_file;
 using Reader = Surface_file (*)(std::string_view, const std::string&);
@@ -403,4 +403,4 @@ TEST(Read_files, corrupted_files_are_rejected_or_valid)
   EXPECT_GT(bad, files);
 }
 
-} // namespace
+} // namespace read_files_test

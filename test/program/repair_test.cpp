@@ -11,7 +11,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace repair_test {
 
 using program::Connectivity;
 using program::Point;
@@ -301,4 +301,4 @@ TEST(Complete_normals, gives_unit_vectors_for_degenerate_clouds)
   }
 }
 
-} // namespace
+} // namespace repair_test

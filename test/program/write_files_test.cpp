@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace {
+namespace write_files_test {
 
 namespace fs = std::filesystem;
 using program::Surface_file;
@@ -244,4 +244,4 @@ TEST(Colors, labels_have_distinct_colors)
   EXPECT_EQ(program::color_of_label(-1), program::gray);
 }
 
-} // namespace
+} // namespace write_files_test

@@ -19,7 +19,7 @@
 #  include <assimp/scene.h>
 #endif
 
-namespace {
+namespace write_textured_test {
 
 namespace fs = std::filesystem;
 using program::Surface_file;
@@ -133,4 +133,4 @@ TEST(Write_textured, assimp_reads_output)
 #endif
 }
 
-} // namespace
+} // namespace write_textured_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace adjacent_sources {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -89,4 +89,4 @@ TEST(Adjacent_sources, have_small_distance_with_heat_method)
     EXPECT_NEAR(heat[i], front[i], 0.1);
 }
 
-} // namespace
+} // namespace adjacent_sources

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace fronts_of_different_sources_mixed {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -87,4 +87,4 @@ TEST(Fronts_of_different_sources, are_separated_between_two_lines)
   }
 }
 
-} // namespace
+} // namespace fronts_of_different_sources_mixed

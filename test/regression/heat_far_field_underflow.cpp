@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace heat_far_field_underflow {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -58,4 +58,4 @@ TEST(Heat_far_field, increases_along_strip)
   }
 }
 
-} // namespace
+} // namespace heat_far_field_underflow

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace heat_with_all_boundary_vertices {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -125,4 +125,4 @@ TEST_F(Heat_with_all_boundary_vertices, polyline_source_gives_straight_fronts)
       0.5 / n);
 }
 
-} // namespace
+} // namespace heat_with_all_boundary_vertices

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace isolated_vertices {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -94,4 +94,4 @@ TEST(Isolated_vertices, have_no_path)
   EXPECT_FALSE(path(*surface.triangles(), front, sources, surface.at(2)).empty());
 }
 
-} // namespace
+} // namespace isolated_vertices

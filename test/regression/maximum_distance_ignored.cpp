@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace maximum_distance_ignored {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -77,4 +77,4 @@ TEST(Maximum_distance, includes_offset_of_source)
   }
 }
 
-} // namespace
+} // namespace maximum_distance_ignored

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace needle_triangles {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -107,4 +107,4 @@ TEST(Needle_triangles, are_accepted_without_other_triangles)
   }
 }
 
-} // namespace
+} // namespace needle_triangles

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace one_ring_of_source {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -50,4 +50,4 @@ TEST(One_ring_of_source, is_at_edge_length_at_extreme_scales)
   }
 }
 
-} // namespace
+} // namespace one_ring_of_source

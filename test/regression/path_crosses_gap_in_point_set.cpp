@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <random>
 
-namespace {
+namespace path_crosses_gap_in_point_set {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -93,4 +93,4 @@ TEST(Path_on_point_set, does_not_cross_thin_slit)
   expect_paths_inside_disks([](const Point& p) { return p[1] < 0. || std::abs(p[0]) > 0.12; });
 }
 
-} // namespace
+} // namespace path_crosses_gap_in_point_set

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace path_through_saddle_vertices {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -33,4 +33,4 @@ TEST(Path_through_saddle_vertices, is_found)
   }
 }
 
-} // namespace
+} // namespace path_through_saddle_vertices

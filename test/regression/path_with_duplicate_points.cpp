@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace path_with_duplicate_points {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -77,4 +77,4 @@ TEST(Path_with_duplicate_points, does_not_occur_on_few_triangles)
   expect_no_duplicate_points(tetrahedron());
 }
 
-} // namespace
+} // namespace path_with_duplicate_points

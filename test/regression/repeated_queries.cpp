@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace repeated_queries {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -109,4 +109,4 @@ TEST(Repeated_queries, distances_from_corners_are_exact_on_grid)
               front_tolerance);
 }
 
-} // namespace
+} // namespace repeated_queries

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace source_inside_a_face {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -83,4 +83,4 @@ TEST(Source_inside_a_face, distance_is_continuous_towards_corner)
     }
 }
 
-} // namespace
+} // namespace source_inside_a_face

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace source_on_boundary {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -73,4 +73,4 @@ TEST(Source_on_boundary, paths_follow_boundary)
               round_off_tolerance);
 }
 
-} // namespace
+} // namespace source_on_boundary

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace translation_and_scale_invariance {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -91,4 +91,4 @@ TEST(Translation_and_scale_invariance, distances_are_scale_invariant)
   }
 }
 
-} // namespace
+} // namespace translation_and_scale_invariance

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace two_triangles {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
@@ -64,4 +64,4 @@ TEST(Two_triangles, are_unfolded_across_shared_edge)
   }
 }
 
-} // namespace
+} // namespace two_triangles

@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-namespace {
+namespace Vertex_queue_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -61,4 +61,4 @@ TEST(Vertex_queue, is_empty_after_clear)
   EXPECT_EQ(queue.pop().vertex, 3u);
 }
 
-} // namespace
+} // namespace Vertex_queue_test

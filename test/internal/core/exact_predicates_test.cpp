@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace {
+namespace exact_predicates_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -62,4 +62,4 @@ TEST(is_folded_flat, is_exact)
   EXPECT_FALSE(is_folded_flat(p, q, r, {0.2, -0.2, 0.}));
 }
 
-} // namespace
+} // namespace exact_predicates_test

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace {
+namespace parallel_test {
 
 using CGAL::Geodesic_processing::internal::for_each_block;
 
@@ -41,4 +41,4 @@ TEST(Parallel, exception_is_rethrown)
                  std::runtime_error);
 }
 
-} // namespace
+} // namespace parallel_test

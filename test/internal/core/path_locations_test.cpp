@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace path_locations_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -109,4 +109,4 @@ TEST(straight_distance, is_a_tight_lower_bound_of_the_chord)
   EXPECT_EQ(straight_distance(surface.t(), p, p), 0.);
 }
 
-} // namespace
+} // namespace path_locations_test

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace {
+namespace slowness_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -44,4 +44,4 @@ TEST(Slowness, of_triangle_is_mean_over_corners)
   EXPECT_EQ(mean[surface.triangle(1)], infinity);
 }
 
-} // namespace
+} // namespace slowness_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace {
+namespace unfold_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -44,4 +44,4 @@ TEST(Unfold, straight_front_arrives_with_projected_delay)
   EXPECT_EQ(Straight_front(1., 0.6, {3., 0.8}).delay, infinity);
 }
 
-} // namespace
+} // namespace unfold_test

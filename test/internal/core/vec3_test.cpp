@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace {
+namespace vec3_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -43,4 +43,4 @@ TEST(Vec3, largest_cosine_is_that_of_smallest_angle)
               1e-15);
 }
 
-} // namespace
+} // namespace vec3_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace curvature_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -185,4 +185,4 @@ TEST(Curvature, does_not_depend_on_number_of_threads)
   }
 }
 
-} // namespace
+} // namespace curvature_test

@@ -11,7 +11,7 @@
 
 #include <limits>
 
-namespace {
+namespace speeds_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -150,4 +150,4 @@ TEST(Speeds, are_finite_on_degenerate_meshes)
                Invalid_argument_error);
 }
 
-} // namespace
+} // namespace speeds_test

@@ -8,7 +8,7 @@
 
 #include <variant>
 
-namespace {
+namespace Distance_engine_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -113,4 +113,4 @@ TEST(Distance_method, follows_from_the_tag)
   static_assert(!is_front<Exact> && !is_front<Heat>);
 }
 
-} // namespace
+} // namespace Distance_engine_test

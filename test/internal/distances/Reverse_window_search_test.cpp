@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace Reverse_window_search_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -37,4 +37,4 @@ TEST(Reverse_window_search, finds_both_paths_around_a_cone)
   EXPECT_EQ(paths.size(), 2u);
 }
 
-} // namespace
+} // namespace Reverse_window_search_test

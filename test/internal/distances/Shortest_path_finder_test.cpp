@@ -11,7 +11,7 @@
 
 #include <random>
 
-namespace {
+namespace Shortest_path_finder_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -76,4 +76,4 @@ TEST(Shortest_path_finder, returns_one_location_or_none)
   EXPECT_TRUE(finder.shortest_path(surface.at(1), surface.at(8)).locations.empty());
 }
 
-} // namespace
+} // namespace Shortest_path_finder_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace Window_goal_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -99,4 +99,4 @@ TEST(Window_goal, measures_each_piece)
                 1e-12);
 }
 
-} // namespace
+} // namespace Window_goal_test

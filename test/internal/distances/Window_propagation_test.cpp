@@ -17,7 +17,7 @@
 #include <numeric>
 #include <thread>
 
-namespace {
+namespace Window_propagation_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -1030,4 +1030,4 @@ TEST(Window_propagation, distance_at_a_target_crosses_edges_with_far_ends)
   EXPECT_NEAR(windows.distance(to), expected, round_off);
 }
 
-} // namespace
+} // namespace Window_propagation_test

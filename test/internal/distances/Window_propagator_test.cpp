@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace Window_propagator_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -48,4 +48,4 @@ TEST(Window_propagator, state_can_be_cleared)
     EXPECT_EQ(vertex.distance, infinity);
 }
 
-} // namespace
+} // namespace Window_propagator_test

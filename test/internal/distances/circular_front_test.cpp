@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace circular_front_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -54,4 +54,4 @@ TEST(Circular_front, is_determined_by_two_distances)
   EXPECT_EQ(fitted_curvature(2., 1., difference, exact.source[0], norm(center)), 2.);
 }
 
-} // namespace
+} // namespace circular_front_test

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace {
+namespace distance_matrix_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -81,4 +81,4 @@ TEST_F(Distance_matrix, is_empty_if_cancelled)
   EXPECT_EQ(sparse_distance_matrix(&engine, 1., from, column, limits, 1).size(), 0);
 }
 
-} // namespace
+} // namespace distance_matrix_test

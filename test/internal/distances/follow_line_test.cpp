@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace follow_line_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -60,4 +60,4 @@ TEST(Follow_line, returns_nothing_if_the_location_is_missed)
                              surface.at(surface.size() / 2)));
 }
 
-} // namespace
+} // namespace follow_line_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace front_relaxation_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -74,4 +74,4 @@ TEST(Front_relaxation, final_vertices_of_planar_fronts_do_not_change)
   EXPECT_FALSE(relax(front, 3, {1., {1., 0.}, none, 0, 0.}, 0));
 }
 
-} // namespace
+} // namespace front_relaxation_test

@@ -13,7 +13,7 @@
 #include <numeric>
 #include <thread>
 
-namespace {
+namespace front_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -1092,4 +1092,4 @@ TEST(Front, stops_where_known_distances_are_smaller)
   }
 }
 
-} // namespace
+} // namespace front_test

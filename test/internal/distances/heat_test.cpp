@@ -10,7 +10,7 @@
 
 #include <thread>
 
-namespace {
+namespace heat_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -222,4 +222,4 @@ TEST(Heat, interpolates_linearly_in_triangles)
             solver.distance(t.corner[52]));
 }
 
-} // namespace
+} // namespace heat_test

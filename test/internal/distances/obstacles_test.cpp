@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace obstacles_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -93,4 +93,4 @@ TEST_F(Obstacles, move_locations_to_the_other_triangle)
               vertex);
 }
 
-} // namespace
+} // namespace obstacles_test

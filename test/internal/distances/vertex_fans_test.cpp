@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace {
+namespace vertex_fans_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -175,4 +175,4 @@ TEST(Vertex_fans, are_shared_while_referenced)
   EXPECT_TRUE(unshared.expired());
 }
 
-} // namespace
+} // namespace vertex_fans_test

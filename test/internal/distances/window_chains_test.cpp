@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace window_chains_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -41,4 +41,4 @@ TEST(Window_chains, vertices_on_sources_have_no_chain)
   EXPECT_EQ(path.size(), 1u);
 }
 
-} // namespace
+} // namespace window_chains_test

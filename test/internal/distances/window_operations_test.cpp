@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace window_operations_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -80,4 +80,4 @@ TEST(Window_operations, dominated_ends_are_trimmed)
   EXPECT_EQ(w.begin, 0.5);
 }
 
-} // namespace
+} // namespace window_operations_test

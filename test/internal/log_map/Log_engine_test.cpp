@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace Log_engine_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -67,4 +67,4 @@ TEST(Log_engine, respects_maximum_distance)
   }
 }
 
-} // namespace
+} // namespace Log_engine_test

@@ -14,7 +14,7 @@
 #include <numeric>
 #include <set>
 
-namespace {
+namespace decal_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -220,4 +220,4 @@ TEST(decal, throws_on_invalid_texture_size)
   EXPECT_THROW(Texture_cells(2, std::size_t(1) << 60), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace decal_test

@@ -12,7 +12,7 @@
 #include <limits>
 #include <numeric>
 
-namespace {
+namespace log_map_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -152,4 +152,4 @@ TEST(log_map, counts_cut_and_folded_triangles)
   EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_folded, 12u);
 }
 
-} // namespace
+} // namespace log_map_test

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace {
+namespace tangent_plane_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -101,4 +101,4 @@ TEST(tangent_plane, throws_on_isolated_vertex)
       Invalid_argument_error);
 }
 
-} // namespace
+} // namespace tangent_plane_test

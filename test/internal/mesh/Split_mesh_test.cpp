@@ -13,7 +13,7 @@
 #include <random>
 #include <set>
 
-namespace {
+namespace Split_mesh_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -171,4 +171,4 @@ TEST(Split_mesh, samples_on_curve_split_curve_edges)
   }
 }
 
-} // namespace
+} // namespace Split_mesh_test

@@ -11,7 +11,7 @@
 
 #include <set>
 
-namespace {
+namespace feature_polylines_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -138,4 +138,4 @@ TEST(Feature_polylines, polyline_may_end_in_interior)
   EXPECT_TRUE(sample(surface, 1., std::vector<bool>(is_curve.size(), false)).empty());
 }
 
-} // namespace
+} // namespace feature_polylines_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace flips_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -161,4 +161,4 @@ TEST(Flips, coincident_points_are_handled)
   EXPECT_TRUE(triangles.empty());
 }
 
-} // namespace
+} // namespace flips_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <set>
 
-namespace {
+namespace intrinsic_delaunay_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -114,4 +114,4 @@ TEST(Intrinsic_delaunay, mollification_is_minimal)
   EXPECT_EQ(t.length, lengths);
 }
 
-} // namespace
+} // namespace intrinsic_delaunay_test

@@ -12,7 +12,7 @@
 #include <limits>
 #include <set>
 
-namespace {
+namespace mesh_arrays_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -198,4 +198,4 @@ TEST(Mesh_arrays, throws_on_nonfinite_coordinates)
   EXPECT_THROW(arrays_of(surface), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace mesh_arrays_test

@@ -12,7 +12,7 @@
 #include <limits>
 #include <numeric>
 
-namespace {
+namespace morton_order_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -111,4 +111,4 @@ TEST(Morton_order, is_permutation_that_keeps_locality)
             (std::vector<Index>{1, 0, 2}));
 }
 
-} // namespace
+} // namespace morton_order_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-namespace {
+namespace patches_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -179,4 +179,4 @@ TEST(Patches, bisection_of_strip_is_balanced)
     }
 }
 
-} // namespace
+} // namespace patches_test

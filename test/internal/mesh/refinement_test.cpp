@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace refinement_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -134,4 +134,4 @@ TEST(Refinement, nonmanifold_vertices_are_split)
       surface.vertex(0));
 }
 
-} // namespace
+} // namespace refinement_test

@@ -8,7 +8,7 @@
 
 #include <cstddef>
 
-namespace {
+namespace self_intersections_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -100,4 +100,4 @@ TEST(Self_intersections, finds_intersection_of_sphere_and_plane)
   EXPECT_EQ(find_pairs(disjoint_union(sphere, plane), 7).size(), 7u);
 }
 
-} // namespace
+} // namespace self_intersections_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace Sparse_solver_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -99,4 +99,4 @@ TEST(Sparse_solver, throws_on_indefinite_matrix)
   EXPECT_THROW(Sparse_solver(tridiagonal_matrix(10, -3.)), Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace Sparse_solver_test

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace {
+namespace dense_product_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -51,4 +51,4 @@ TEST(Dense_product, matches_eigen)
   }
 }
 
-} // namespace
+} // namespace dense_product_test

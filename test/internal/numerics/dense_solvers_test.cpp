@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace dense_solvers_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -53,4 +53,4 @@ TEST(small_product, multiplies_blocks)
   EXPECT_EQ(small_transposed_product(a.rightCols(2), b), Eigen::Vector2d(-3., -3.));
 }
 
-} // namespace
+} // namespace dense_solvers_test

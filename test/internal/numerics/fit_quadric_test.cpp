@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace {
+namespace fit_quadric_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -68,4 +68,4 @@ TEST(fit_quadric, is_empty_for_single_point)
   EXPECT_EQ(fit_quadric({1., 2., 3.}, {{1., 2., 3.}, {1., 2., 3.}}).length_unit, 0.);
 }
 
-} // namespace
+} // namespace fit_quadric_test

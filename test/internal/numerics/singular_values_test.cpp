@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace {
+namespace singular_values_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -46,4 +46,4 @@ TEST(singular_values, are_infinite_for_degenerate_image)
   EXPECT_EQ(found.area, 6.);
 }
 
-} // namespace
+} // namespace singular_values_test

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace supernodes_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using Eigen::MatrixXd;
@@ -140,4 +140,4 @@ TEST(Supernodes, columns_are_solved_independently)
   EXPECT_EQ(one_by_one, all_at_once);
 }
 
-} // namespace
+} // namespace supernodes_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace Poisson_solver_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -65,4 +65,4 @@ TEST(Poisson_solver, scales_with_inverse_tensor)
   EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), round_off);
 }
 
-} // namespace
+} // namespace Poisson_solver_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace diffusion_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -45,4 +45,4 @@ TEST(diffusion, preserves_constants)
             round_off);
 }
 
-} // namespace
+} // namespace diffusion_test

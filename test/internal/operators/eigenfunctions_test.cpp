@@ -10,7 +10,7 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-namespace {
+namespace eigenfunctions_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -153,4 +153,4 @@ TEST(Eigenfunctions, is_deterministic)
   EXPECT_EQ(eigenfunctions_of(surface, 20).function, eigenfunctions_of(surface, 20).function);
 }
 
-} // namespace
+} // namespace eigenfunctions_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace harmonic_fields_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -100,4 +100,4 @@ TEST(Harmonic_fields, throws_on_cloud)
   EXPECT_THROW(harmonic_fields(sphere.arrays, o, Poisson_solver(o)), Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace harmonic_fields_test

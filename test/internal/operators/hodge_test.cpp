@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace hodge_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -150,4 +150,4 @@ TEST(Hodge, throws_on_cloud)
   EXPECT_THROW(Hodge_solver(sphere.arrays, operators(sphere.arrays)), Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace hodge_test

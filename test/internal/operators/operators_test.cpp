@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace {
+namespace operators_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -231,4 +231,4 @@ TEST(Operators, mean_magnitudes_average_incident_triangles)
   }
 }
 
-} // namespace
+} // namespace operators_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <set>
 
-namespace {
+namespace atlas_test {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
@@ -153,4 +153,4 @@ TEST(atlas, throws_if_texture_too_small_and_can_be_cancelled)
   }
 }
 
-} // namespace
+} // namespace atlas_test

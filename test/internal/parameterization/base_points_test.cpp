@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace {
+namespace base_points_test {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
@@ -129,4 +129,4 @@ TEST(base_points, is_empty_when_cancelled)
       0u);
 }
 
-} // namespace
+} // namespace base_points_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <set>
 
-namespace {
+namespace charts_test {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
@@ -172,4 +172,4 @@ TEST(charts, handles_collapsed_surface)
   expect_partition(charts, mesh.corners.size() / 3);
 }
 
-} // namespace
+} // namespace charts_test

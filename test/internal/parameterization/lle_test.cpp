@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace lle_test {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
@@ -113,4 +113,4 @@ TEST(lle, classical_scaling_recovers_known_positions)
       EXPECT_NEAR((found.row(i) - found.row(j)).squaredNorm(), squares(i, j), 1e-12);
 }
 
-} // namespace
+} // namespace lle_test

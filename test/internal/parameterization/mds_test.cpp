@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace mds_test {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
@@ -39,4 +39,4 @@ TEST(mds, is_empty_when_cancelled)
       landmark_mds(surface.t(), front, {0, 5, 9}, [](double done) { return done < 0.6; }).empty());
 }
 
-} // namespace
+} // namespace mds_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace outline_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -92,4 +92,4 @@ TEST(outline, agrees_with_brute_force)
   EXPECT_LT(meeting, 195);
 }
 
-} // namespace
+} // namespace outline_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace packing_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using CGAL::Geodesic_processing::Invalid_argument_error;
@@ -156,4 +156,4 @@ TEST(packing, throws_if_it_does_not_fit)
   EXPECT_TRUE(pack({}, 64, 2, 1).offsets.empty());
 }
 
-} // namespace
+} // namespace packing_test

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace symmetric_dirichlet_test {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
@@ -114,4 +114,4 @@ TEST(symmetric_dirichlet, cancelled_result_has_no_flips)
   EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
 }
 
-} // namespace
+} // namespace symmetric_dirichlet_test

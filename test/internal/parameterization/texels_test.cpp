@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace texels_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -76,4 +76,4 @@ TEST(texels, throws_on_invalid_size)
   EXPECT_EQ(rasterize_texels({}, 1, 1.).triangle, std::vector<Index>(1, none));
 }
 
-} // namespace
+} // namespace texels_test

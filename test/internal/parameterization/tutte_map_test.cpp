@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace {
+namespace tutte_map_test {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
@@ -59,4 +59,4 @@ TEST(tutte_map, longest_boundary_loop_is_first)
   EXPECT_GT(radius(loops[0][0]), radius(loops[1][0]));
 }
 
-} // namespace
+} // namespace tutte_map_test

@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace untangling_test {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
@@ -179,4 +179,4 @@ TEST(untangling, orients_positively)
   EXPECT_EQ(image, expected);
 }
 
-} // namespace
+} // namespace untangling_test

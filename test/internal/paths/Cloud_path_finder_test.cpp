@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace {
+namespace Cloud_path_finder_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -434,4 +434,4 @@ TEST(Cloud_path_finder, throws_on_invalid_weights)
   EXPECT_THROW(Finder(square_cloud(5), options), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace Cloud_path_finder_test

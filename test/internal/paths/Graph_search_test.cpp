@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <random>
 
-namespace {
+namespace Graph_search_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -179,4 +179,4 @@ TEST(Graph_search, is_empty_when_not_connected)
   }
 }
 
-} // namespace
+} // namespace Graph_search_test

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace {
+namespace Path_finder_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -187,4 +187,4 @@ TEST(Path_finder, follows_proximity_graph_of_cloud)
   EXPECT_TRUE(vertices_of_path(1, 4).empty());
 }
 
-} // namespace
+} // namespace Path_finder_test

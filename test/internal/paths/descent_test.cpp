@@ -5,7 +5,7 @@
 #include "Array_surface.h"
 #include "path_checks.h"
 
-namespace {
+namespace descent_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -226,4 +226,4 @@ TEST(Descent, escapes_local_minimum)
   expect_path_on_surface(surface.t(), path.locations, from, to);
 }
 
-} // namespace
+} // namespace descent_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace path_curve_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -82,4 +82,4 @@ TEST(path_curve, sharp_edge_is_inserted_between_different_normals_only)
   EXPECT_NEAR(norm(path[2].point - Vec3{0., 1.5, 0.}), 0., 1e-15);
 }
 
-} // namespace
+} // namespace path_curve_test

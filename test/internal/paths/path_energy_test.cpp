@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace path_energy_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -272,4 +272,4 @@ TEST(path_energy, throws_on_invalid_polyline)
                Invalid_argument_error);
 }
 
-} // namespace
+} // namespace path_energy_test

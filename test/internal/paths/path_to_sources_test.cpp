@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace path_to_sources_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -155,4 +155,4 @@ TEST(Path_to_sources, joins_end_points_on_point_set)
   }
 }
 
-} // namespace
+} // namespace path_to_sources_test

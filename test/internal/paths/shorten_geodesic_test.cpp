@@ -9,7 +9,7 @@
 #include "Array_surface.h"
 #include "path_checks.h"
 
-namespace {
+namespace shorten_geodesic_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -336,4 +336,4 @@ TEST(Shorten_geodesic, throws_on_invalid_path)
   EXPECT_THROW(shorten_geodesic(surface.t(), surface.along({0, 24})), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace shorten_geodesic_test

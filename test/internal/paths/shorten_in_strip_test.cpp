@@ -12,7 +12,7 @@
 #include <queue>
 #include <random>
 
-namespace {
+namespace shorten_in_strip_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -162,4 +162,4 @@ TEST(Shorten_in_strip, does_not_cross_barred_vertices)
     }
 }
 
-} // namespace
+} // namespace shorten_in_strip_test

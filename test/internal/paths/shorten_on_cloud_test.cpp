@@ -12,7 +12,7 @@
 
 #include <memory>
 
-namespace {
+namespace shorten_on_cloud_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -144,4 +144,4 @@ TEST(Shorten_on_cloud, keeps_path_on_cloud_without_triangles)
   EXPECT_TRUE(shorten_on_cloud(cloud, {}).empty());
 }
 
-} // namespace
+} // namespace shorten_on_cloud_test

@@ -7,7 +7,7 @@
 
 #include "path_checks.h"
 
-namespace {
+namespace trace_straightest_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -308,4 +308,4 @@ TEST(Trace_straightest, throws_on_invalid_length)
                Invalid_argument_error);
 }
 
-} // namespace
+} // namespace trace_straightest_test

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace {
+namespace triangle_strip_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -99,4 +99,4 @@ TEST(triangle_strip, trimming_removes_edges_that_contain_ends)
   EXPECT_EQ(strip.triangle, surface.triangle(2));
 }
 
-} // namespace
+} // namespace triangle_strip_test

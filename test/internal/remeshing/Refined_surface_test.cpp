@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace {
+namespace Refined_surface_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -102,4 +102,4 @@ TEST(Refined_surface, coinciding_vertices_have_unit_edge_lengths)
     EXPECT_EQ(length, 1.);
 }
 
-} // namespace
+} // namespace Refined_surface_test

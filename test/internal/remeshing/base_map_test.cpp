@@ -16,7 +16,7 @@
 #include <random>
 #include <utility>
 
-namespace {
+namespace base_map_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -245,4 +245,4 @@ TEST(Base_map, does_not_repair_uniform_coordinates)
   EXPECT_EQ(Base_map(base, Base_coordinates::uniform).number_of_repaired_regions(), 0u);
 }
 
-} // namespace
+} // namespace base_map_test

@@ -17,7 +17,7 @@
 #include <random>
 #include <set>
 
-namespace {
+namespace base_mesh_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -300,4 +300,4 @@ TEST(Base_mesh, is_empty_when_cancelled)
   EXPECT_FALSE(build_base_mesh(surface.triangles(), options).is_finished);
 }
 
-} // namespace
+} // namespace base_mesh_test

@@ -10,7 +10,7 @@
 
 #include <set>
 
-namespace {
+namespace dual_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -172,4 +172,4 @@ TEST(Dual, detects_annular_cells_and_split_boundaries)
   EXPECT_EQ(hidden.non_disks, (std::vector<Index>{1}));
 }
 
-} // namespace
+} // namespace dual_test

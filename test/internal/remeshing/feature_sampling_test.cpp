@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace feature_sampling_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -66,4 +66,4 @@ TEST(Feature_sampling, throws_if_too_many_samples_are_requested)
       CGAL::Geodesic_processing::Invalid_argument_error);
 }
 
-} // namespace
+} // namespace feature_sampling_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace fitting_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -149,4 +149,4 @@ TEST(Fitting, angle_preserving_steps_keep_small_angles)
   EXPECT_LT(sum_of_squares(angle_preserving), sum_of_squares(coarse));
 }
 
-} // namespace
+} // namespace fitting_test

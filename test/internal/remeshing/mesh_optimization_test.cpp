@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace mesh_optimization_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -99,4 +99,4 @@ TEST(Mesh_optimization, samples_are_added_at_self_intersections_only)
   EXPECT_GT(candidate.number_of_self_intersections, 0u);
 }
 
-} // namespace
+} // namespace mesh_optimization_test

@@ -15,7 +15,7 @@
 
 #include <set>
 
-namespace {
+namespace remeshing_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -423,4 +423,4 @@ TEST(Remeshing, can_be_cancelled)
   }
 }
 
-} // namespace
+} // namespace remeshing_test

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace semi_regular_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -92,4 +92,4 @@ TEST(Semi_regular_mesh, uses_no_more_levels_than_needed)
   EXPECT_GT(build_semi_regular_mesh(map, sphere.t(), 1, 1e-9 / sphere.scale()).deviation, 1e-9);
 }
 
-} // namespace
+} // namespace semi_regular_test

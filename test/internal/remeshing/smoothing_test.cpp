@@ -11,7 +11,7 @@
 
 #include <random>
 
-namespace {
+namespace smoothing_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -24,14 +24,6 @@ struct Input
   Triangles triangles;
   std::vector<bool> is_fixed;
 };
-
-Triangles triangles_of(const Triangulation& surface)
-{
-  Triangles result;
-  for(std::size_t c = 0; c < surface.corners.size(); c += 3)
-    result.push_back({surface.corners[c], surface.corners[c + 1], surface.corners[c + 2]});
-  return result;
-}
 
 // Returns the points of a mesh as samples of a square mesh of n x n quads in the same plane.
 Input on_square(const Array_surface& surface, std::size_t n, const Triangulation& points,
@@ -215,4 +207,4 @@ TEST(Smoothing, stays_on_surface_and_at_corners)
   EXPECT_EQ(smoothed(cube, corners, 5), smoothed(cube, corners, 0));
 }
 
-} // namespace
+} // namespace smoothing_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace strip_search_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -83,4 +83,4 @@ TEST(Strip_search, gives_up_after_the_limit_of_visits)
   EXPECT_TRUE(s.find(search).empty());
 }
 
-} // namespace
+} // namespace strip_search_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace topology_repair_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -107,4 +107,4 @@ TEST(Topology_repair, cells_without_further_vertices_are_unresolved)
   EXPECT_EQ(repair.unresolved, (std::vector<Index>{2}));
 }
 
-} // namespace
+} // namespace topology_repair_test

@@ -13,7 +13,7 @@
 #include <array>
 #include <random>
 
-namespace {
+namespace centroids_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -183,4 +183,4 @@ TEST(Centroids, keep_samples_of_cells_without_area)
             canonical(arrays.t(), samples[1]).barycentric);
 }
 
-} // namespace
+} // namespace centroids_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace relaxation_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -138,4 +138,4 @@ TEST(Relaxation, accepts_samples_with_empty_cells)
   EXPECT_TRUE(std::isfinite(found.points[1][0]));
 }
 
-} // namespace
+} // namespace relaxation_test

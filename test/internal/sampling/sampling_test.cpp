@@ -11,7 +11,7 @@
 
 #include <set>
 
-namespace {
+namespace sampling_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -448,4 +448,4 @@ TEST(Sampling, handles_needles)
   expect_consistent(samples, add_samples(samples, 200));
 }
 
-} // namespace
+} // namespace sampling_test

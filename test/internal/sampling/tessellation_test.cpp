@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace {
+namespace tessellation_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -263,4 +263,4 @@ TEST(Tessellation, is_independent_of_threads_and_can_be_cancelled)
   EXPECT_EQ(cancelled.labels.size(), one.labels.size());
 }
 
-} // namespace
+} // namespace tessellation_test

@@ -12,7 +12,7 @@
 
 #include <set>
 
-namespace {
+namespace voronoi_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -491,4 +491,4 @@ TEST(Voronoi_diagram, labels_surfels_of_a_cloud)
   }
 }
 
-} // namespace
+} // namespace voronoi_test

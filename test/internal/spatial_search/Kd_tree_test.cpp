@@ -10,7 +10,7 @@
 #include <random>
 
 namespace CGAL::Geodesic_processing::internal {
-namespace {
+namespace Kd_tree_test {
 
 std::vector<Vec3> random_points(std::size_t n, unsigned seed, double step)
 {
@@ -130,5 +130,5 @@ TEST(Kd_tree, order_is_independent_of_input_order_and_threads)
   }
 }
 
-} // namespace
+} // namespace Kd_tree_test
 } // namespace CGAL::Geodesic_processing::internal

@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace Leaf_neighbors_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -101,4 +101,4 @@ TEST(Leaf_neighbors, partial_leaf_query_agrees_with_full)
     EXPECT_EQ(subset[m].point, full_leaf[5 + m].point);
 }
 
-} // namespace
+} // namespace Leaf_neighbors_test

@@ -11,7 +11,7 @@
 #include <limits>
 #include <thread>
 
-namespace {
+namespace Triangle_tree_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -131,4 +131,4 @@ TEST(Triangle_tree, queries_are_thread_safe)
   }
 }
 
-} // namespace
+} // namespace Triangle_tree_test

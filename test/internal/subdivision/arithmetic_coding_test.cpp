@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace arithmetic_coding_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -111,4 +111,4 @@ TEST(Arithmetic_coding, terminates_on_random_bytes)
   }
 }
 
-} // namespace
+} // namespace arithmetic_coding_test

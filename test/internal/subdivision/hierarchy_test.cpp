@@ -13,7 +13,7 @@
 #include <random>
 #include <set>
 
-namespace {
+namespace hierarchy_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -122,4 +122,4 @@ TEST(Hierarchy, edge_flip_destroys_hierarchy)
   EXPECT_EQ(recover_hierarchy(triangles, s.number_of_vertices(), 9).subdivision->levels.size(), 1u);
 }
 
-} // namespace
+} // namespace hierarchy_test

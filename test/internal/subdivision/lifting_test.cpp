@@ -12,7 +12,7 @@
 #include <numeric>
 #include <random>
 
-namespace {
+namespace lifting_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -268,4 +268,4 @@ TEST(Lifting, single_level_is_identity)
   EXPECT_EQ(values, m.values);
 }
 
-} // namespace
+} // namespace lifting_test

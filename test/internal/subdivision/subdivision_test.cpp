@@ -14,7 +14,7 @@
 #include <numeric>
 #include <set>
 
-namespace {
+namespace subdivision_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -256,4 +256,4 @@ TEST(Subdivision_into_quads, coarse_locations_match_centroids)
   }
 }
 
-} // namespace
+} // namespace subdivision_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace wavelet_stream_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -128,4 +128,4 @@ TEST(Wavelet_stream, triangles_survive_round_trip)
   EXPECT_THROW(decode_triangles(packet, header), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace wavelet_stream_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace zerotree_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -187,4 +187,4 @@ TEST(Zerotree, preserves_zeros)
     EXPECT_EQ(x, 0.);
 }
 
-} // namespace
+} // namespace zerotree_test

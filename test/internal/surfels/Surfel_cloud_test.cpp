@@ -13,7 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace {
+namespace Surfel_cloud_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -154,4 +154,4 @@ TEST(Surfel_cloud, throws_on_invalid_surfels)
   EXPECT_THROW(make_cloud({}, {}, {}, options), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace Surfel_cloud_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace Surfel_coverage_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -119,4 +119,4 @@ TEST(Surfel_coverage, does_not_depend_on_number_of_threads)
     EXPECT_EQ(one.radius(vertex), three.radius(vertex));
 }
 
-} // namespace
+} // namespace Surfel_coverage_test

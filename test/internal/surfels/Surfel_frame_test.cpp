@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace {
+namespace Surfel_frame_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -44,4 +44,4 @@ TEST(Surfel_frame, projects_points_to_planar_fits)
   EXPECT_EQ(moved.normal, (Vec3{0., 0., 1.}));
 }
 
-} // namespace
+} // namespace Surfel_frame_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace Surfel_surface_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -273,4 +273,4 @@ TEST(Surfel_surface, preserves_sharp_edges)
   }
 }
 
-} // namespace
+} // namespace Surfel_surface_test

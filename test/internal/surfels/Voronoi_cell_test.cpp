@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace Voronoi_cell_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -83,4 +83,4 @@ TEST(Voronoi_cell, corners_are_equidistant_from_origin_and_both_labels)
   }
 }
 
-} // namespace
+} // namespace Voronoi_cell_test

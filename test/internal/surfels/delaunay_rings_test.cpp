@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace delaunay_rings_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -92,4 +92,4 @@ TEST(delaunay_rings, circumcircles_of_random_points_are_empty)
   EXPECT_GT(number_of_triangles, 2700u);
 }
 
-} // namespace
+} // namespace delaunay_rings_test

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace {
+namespace denoise_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -134,4 +134,4 @@ TEST(denoise, handles_few_surfels)
   EXPECT_THROW(denoise(points, normals), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace denoise_test

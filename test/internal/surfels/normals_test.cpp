@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace normals_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -86,4 +86,4 @@ TEST(normals, throws_on_non_finite_points)
   EXPECT_THROW(estimate_normals({{0., 0., NAN}}, 18, true), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace normals_test

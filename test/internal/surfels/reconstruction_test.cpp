@@ -13,7 +13,7 @@
 
 #include <random>
 
-namespace {
+namespace reconstruction_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -163,4 +163,4 @@ TEST(Reconstruction, throws_on_noisy_cloud)
                CGAL::Geodesic_processing::Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace reconstruction_test

@@ -15,7 +15,7 @@
 #include <tuple>
 
 namespace CGAL::Geodesic_processing::internal {
-namespace {
+namespace surfel_arrays_test {
 
 struct Cloud
 {
@@ -614,5 +614,5 @@ TEST(Surfel_arrays, locates_points_at_isolated_surfel)
   EXPECT_THROW(locate(surfels, {0., 0., infinity}), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace surfel_arrays_test
 } // namespace CGAL::Geodesic_processing::internal

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace {
+namespace surfel_estimation_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -62,4 +62,4 @@ TEST(surfel_estimation, throws_on_too_few_points)
   EXPECT_THROW(estimate_surfels(torus_cloud(100, 0.4).points, 18, 90.), Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace surfel_estimation_test

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace {
+namespace surfel_neighbors_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -126,4 +126,4 @@ TEST(surfel_neighbors, estimates_missing_radii)
   EXPECT_THROW(surfel_radii(sorted, given, neighbors, 8, 1), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace surfel_neighbors_test

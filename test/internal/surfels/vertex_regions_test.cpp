@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace vertex_regions_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -89,4 +89,4 @@ TEST(make_regions, edge_lengths_bound_shortest_paths)
     }
 }
 
-} // namespace
+} // namespace vertex_regions_test

@@ -16,7 +16,7 @@
 #include <numeric>
 #include <vector>
 
-namespace {
+namespace Barycenter_solver_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -324,4 +324,4 @@ TEST(Barycenter_solver, throws_on_invalid_input)
   EXPECT_THROW(solver.solve({one, two}, {1., 1.}, with_tolerance(0.)), Invalid_argument_error);
 }
 
-} // namespace
+} // namespace Barycenter_solver_test

@@ -17,7 +17,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace Curve_embedding_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -303,4 +303,4 @@ TEST(Curve_embedding, handles_degenerate_triangles_and_close_points)
   }
 }
 
-} // namespace
+} // namespace Curve_embedding_test

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace Group_lasso_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
@@ -88,4 +88,4 @@ TEST(Group_lasso, removing_column_preserves_others)
   EXPECT_NEAR(both.lower(0), second.lower(0), 1e-14);
 }
 
-} // namespace
+} // namespace Group_lasso_test

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace {
+namespace Mass_distribution_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -119,4 +119,4 @@ TEST(Mass_distribution, throws_on_invalid_masses)
   EXPECT_EQ(plane.at_vertices(plane.difference({}, {})).norm(), 0.);
 }
 
-} // namespace
+} // namespace Mass_distribution_test

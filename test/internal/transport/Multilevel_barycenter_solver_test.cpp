@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace Multilevel_barycenter_solver_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -87,4 +87,4 @@ TEST(Multilevel_barycenter_solver, throws_on_too_many_refinements)
   EXPECT_THROW(Multilevel_barycenter_solver(surface.triangles(), 20), Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace Multilevel_barycenter_solver_test

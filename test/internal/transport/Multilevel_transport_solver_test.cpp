@@ -14,7 +14,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace Multilevel_transport_solver_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -636,4 +636,4 @@ TEST(Multilevel_transport_solver, throws_on_invalid_masses)
   EXPECT_THROW(Multilevel_transport_solver(surface.triangles(), 20), Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace Multilevel_transport_solver_test

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace {
+namespace Transport_iteration_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -108,4 +108,4 @@ TEST(Transport_iteration, ignores_infeasible_outflow)
   EXPECT_EQ(bounds.best().upper, 0.25); // the price alone: 2 / 2 * 0.5^2
 }
 
-} // namespace
+} // namespace Transport_iteration_test

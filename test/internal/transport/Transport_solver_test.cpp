@@ -18,7 +18,7 @@
 #include <numeric>
 #include <random>
 
-namespace {
+namespace Transport_solver_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -499,4 +499,4 @@ TEST(Transport_solver, solves_concurrently)
   }
 }
 
-} // namespace
+} // namespace Transport_solver_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace admm_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -106,4 +106,4 @@ TEST(Admm, warm_start_continues)
             0.1 * (cold_start.upper() - cold_start.lower()));
 }
 
-} // namespace
+} // namespace admm_test

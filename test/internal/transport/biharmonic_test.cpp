@@ -9,7 +9,7 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-namespace {
+namespace biharmonic_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -92,4 +92,4 @@ TEST(Biharmonic_distances, throws_on_empty_surface)
   EXPECT_THROW(Biharmonic_distances{nothing}, Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace biharmonic_test

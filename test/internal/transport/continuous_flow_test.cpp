@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace continuous_flow_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -118,4 +118,4 @@ TEST(continuous_flow, throws_on_cloud)
                Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace continuous_flow_test

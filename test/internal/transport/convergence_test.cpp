@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace convergence_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -32,4 +32,4 @@ TEST(is_cancelled, callback_cancels)
   EXPECT_FALSE(is_cancelled({}, 0.1, 1e-3));
 }
 
-} // namespace
+} // namespace convergence_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace {
+namespace exits_test {
 
 using namespace CGAL::Geodesic_processing::internal;
 
@@ -70,4 +70,4 @@ TEST(exits, full_group_pays_most_at_dearest_exit)
   EXPECT_NEAR(full_marginal_cost({0, 2., {{0, 1., 2.}, {1, 1., 0.5}}}, potential), 2.4, round_off);
 }
 
-} // namespace
+} // namespace exits_test

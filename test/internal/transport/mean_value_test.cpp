@@ -12,7 +12,7 @@
 #include <limits>
 #include <random>
 
-namespace {
+namespace mean_value_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -271,4 +271,4 @@ TEST(mean_value, throws_on_open_or_flat_meshes)
   EXPECT_THROW(Mean_value_coordinates(flat.triangles())({0.3, 0.3, 1.}), Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace mean_value_test

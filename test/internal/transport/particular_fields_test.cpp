@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace particular_fields_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -148,4 +148,4 @@ TEST(Particular_fields, without_gradients_is_divergence_free)
       round_off);
 }
 
-} // namespace
+} // namespace particular_fields_test

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <map>
 
-namespace {
+namespace spectral_transport_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -515,4 +515,4 @@ TEST(Spectral_transport, throws_on_invalid_input)
                Invalid_argument_error);
 }
 
-} // namespace
+} // namespace spectral_transport_test

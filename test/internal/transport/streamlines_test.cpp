@@ -18,7 +18,7 @@
 #include <functional>
 #include <vector>
 
-namespace {
+namespace streamlines_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -315,4 +315,4 @@ TEST(streamlines, is_replaced_by_shorter_path)
   expect_path_on_surface(surface.t(), shortened, line.front(), line.back());
 }
 
-} // namespace
+} // namespace streamlines_test

@@ -16,7 +16,7 @@
 #include <numeric>
 #include <set>
 
-namespace {
+namespace uniform_refinement_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -190,4 +190,4 @@ TEST(uniform_refinement, works_on_clouds)
   EXPECT_EQ(fine.number_of_vertices(), sphere.number_of_vertices() + edges.size());
 }
 
-} // namespace
+} // namespace uniform_refinement_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace volumetric_test {
 
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
@@ -122,4 +122,4 @@ TEST(volumetric, throws_on_several_components)
   EXPECT_THROW(Volumetric_distances(surface.triangles(), 0), Unsupported_surface_error);
 }
 
-} // namespace
+} // namespace volumetric_test
