@@ -4,8 +4,8 @@
 #
 # Installs missing packages, builds everything and runs all tests.  All files are written to build/.
 #   --quick   without the sanitizer build
-#   --all     also check null pointers and alignment, run all commands on all models of the data folder,
-#             clang-tidy on the kernels, and the fuzzer of each input format for one minute
+#   --all     also check null pointers and alignment, and run all commands on all models of the data
+#             folder, clang-tidy on the kernels, and the fuzzer of each input format for one minute
 # Environment: JOBS (default: all processors), GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
 
@@ -90,9 +90,8 @@ build_release()
 # The library is optimized, otherwise the tests take longer than the build; the program is optimized
 # slightly.  The shared library uses its own copies of inline functions of the standard library
 # (-Bsymbolic-functions): with the unoptimized copies of the tests, kernels are four times slower.
-# Assertions are enabled.  Without --all, accesses are checked by AddressSanitizer alone: the checks of
-# null pointers, sizes and alignment take a fifth of the build and report the same accesses, except for
-# alignment.
+# Assertions are enabled.  Only --all checks null pointers, object sizes and alignment: these checks
+# take a fifth of the build.  AddressSanitizer alone reports wrong accesses, except misaligned ones.
 build_sanitizer()
 {
   local omitted_checks=-fno-sanitize=null,object-size,alignment
