@@ -18,6 +18,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace Surfel_path_finder_test {
 
@@ -167,6 +168,14 @@ TEST(Surfel_path_finder, agrees_between_search_methods)
   }
 }
 
+std::vector<GP::internal::Vec3> coordinates(const Point_set& points)
+{
+  std::vector<GP::internal::Vec3> result;
+  for(const auto& p : points.points())
+    result.push_back({p.x(), p.y(), p.z()});
+  return result;
+}
+
 // Returns a scan with normals, which are estimated if the file has none. Returns an empty set if the
 // file is missing.
 Point_set scan(const std::string& name)
@@ -180,11 +189,7 @@ Point_set scan(const std::string& name)
   if(!points.has_normal_map())
   {
     points.add_normal_map();
-    std::vector<GP::internal::Vec3> coordinates;
-    for(const auto& index : points)
-      coordinates.push_back(
-          {points.point(index).x(), points.point(index).y(), points.point(index).z()});
-    const auto normals = GP::internal::estimate_surfels(coordinates, 18, 0.).normals;
+    const auto normals = GP::internal::estimate_surfels(coordinates(points), 18, 0.).normals;
     for(std::size_t i = 0; i < normals.size(); ++i)
       points.normal(*(points.begin() + i)) = {normals[i][0], normals[i][1], normals[i][2]};
   }
@@ -197,11 +202,8 @@ template <typename Visit>
 void expect_path_points_near_surfels(const Point_set& points, int number_of_paths,
                                      const Visit& visit)
 {
-  std::vector<GP::internal::Vec3> points_of_cloud;
+  std::vector<GP::internal::Vec3> points_of_cloud = coordinates(points);
   std::vector<GP::internal::Index> order;
-  for(const auto& index : points)
-    points_of_cloud.push_back(
-        {points.point(index).x(), points.point(index).y(), points.point(index).z()});
   const GP::internal::Kd_tree tree(points_of_cloud, order);
   std::vector<GP::internal::Kd_tree::Neighbor> neighbors;
   // Spacing is the distance to the sixth neighbor, as many as a surfel of a uniform cloud has.

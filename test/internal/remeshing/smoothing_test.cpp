@@ -6,6 +6,7 @@
 
 #include "Array_surface.h"
 #include "polygons.h"
+#include "subdivided_surfaces.h"
 
 #include <gtest/gtest.h>
 
