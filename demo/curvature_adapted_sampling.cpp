@@ -4,6 +4,7 @@
 // Measures how well tangent planes at samples approximate a surface, for three sample densities.
 #include <CGAL/Geodesic_processing.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Surface_mesh.h>

@@ -4,6 +4,7 @@
 // Samples a surface with a user-defined density, higher in the upper third of the model.
 #include <CGAL/Geodesic_processing.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Surface_mesh.h>

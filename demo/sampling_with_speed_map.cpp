@@ -4,6 +4,7 @@
 // Samples a square whose left half has a quarter of the speed of the right half.
 #include <CGAL/Geodesic_processing.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Polyhedron_3.h>
 

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Geodesic_processing/exponential_map.h>
 
 #include <CGAL/Geodesic_processing/logarithmic_map.h>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>

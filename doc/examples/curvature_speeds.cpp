@@ -4,6 +4,7 @@
 // Samples a folded sheet uniformly, with samples attracted by its crease, and repelled by it.
 #include <CGAL/Geodesic_processing.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>

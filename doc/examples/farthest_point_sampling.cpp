@@ -4,6 +4,7 @@
 // Samples a mesh such that each vertex is within a given distance of its nearest sample.
 #include <CGAL/Geodesic_processing.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>

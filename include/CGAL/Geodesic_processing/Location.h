@@ -4,14 +4,15 @@
 #define CGAL_GEODESIC_PROCESSING_LOCATION_H
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 
@@ -48,7 +49,8 @@ template <typename Surface, bool is_cloud = Is_cloud<Surface>::value>
 struct Surface_traits
 {
   using Vertex = typename boost::graph_traits<Surface>::vertex_descriptor;
-  using Location = Polygon_mesh_processing::Face_location<Surface, double>;
+  using Location =
+      std::pair<typename boost::graph_traits<Surface>::face_descriptor, std::array<double, 3>>;
   using Point_3 = typename boost::property_traits<
       typename boost::property_map<Surface, vertex_point_t>::type>::value_type;
   using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3;
@@ -75,8 +77,10 @@ struct Surface_traits<Point_set_3<Point, Vector>, true>
 } // namespace internal
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// a location on a surface: `Polygon_mesh_processing::Face_location` on a mesh, `Surfel_location`
-/// on a cloud.
+/// a location on a surface: `Polygon_mesh_processing::Face_location` on a mesh, that is, a face and
+/// three barycentric coordinates; `Surfel_location` on a cloud. The functions of
+/// `CGAL/Polygon_mesh_processing/locate.h` accept it; this file does not include that header, which
+/// includes the AABB tree.
 template <typename Surface>
 using Location = typename internal::Surface_traits<Surface>::Location;
 
