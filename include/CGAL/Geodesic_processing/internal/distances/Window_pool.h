@@ -36,11 +36,14 @@ struct Window
   }
 };
 
-// An array of windows in a Window_pool.
+// An array of windows in a Window_pool.  There are twelve times as many as vertices: a list of eight
+// bytes instead of twelve saves a fifth of the memory before a query.
 struct Window_list
 {
-  Index position = 0, size = 0;
-  Index capacity_log2 = 0;
+  Window_list() : size(0), capacity_log2(0) {}
+
+  Index position = 0;
+  Index size : 27, capacity_log2 : 5;
 };
 
 // Memory for arrays of windows, whose capacities are powers of two.  Released arrays are reused;
