@@ -182,8 +182,8 @@ Vertex_fans build_vertex_fans(const Surface_arrays& t, bool with_splits)
 
 std::shared_ptr<const Vertex_fans> shared_vertex_fans(const Surface_arrays& t, bool with_splits)
 {
-  const std::lock_guard<std::mutex> lock(t.vertex_fans.mutex);
-  std::weak_ptr<const Vertex_fans>& cached = t.vertex_fans.cached[with_splits ? 1 : 0];
+  const std::lock_guard<std::mutex> lock(t.shared.mutex);
+  std::weak_ptr<const Vertex_fans>& cached = t.shared.vertex_fans[with_splits ? 1 : 0];
   std::shared_ptr<const Vertex_fans> result = cached.lock();
   if(!result)
     cached = result = std::make_shared<const Vertex_fans>(build_vertex_fans(t, with_splits));

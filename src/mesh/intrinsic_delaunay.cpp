@@ -11,6 +11,14 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// Returns whether the angle opposite to a halfedge is at most a right angle.
+bool is_opposite_acute(const Surface_arrays& t, Index h)
+{
+  const double length = t.length[h], a = t.length[next_halfedge(h)],
+               b = t.length[previous_halfedge(h)];
+  return length * length <= a * a + b * b;
+}
+
 // Returns whether the opposite angles of an edge sum to more than pi: the sine of the sum is
 // negative.
 bool needs_flip(const Surface_arrays& t, Index h)
@@ -18,19 +26,25 @@ bool needs_flip(const Surface_arrays& t, Index h)
   const Index twin = t.twin[h];
   if(twin == none || twin / 3 == h / 3)
     return false;
+  // Most opposite angles are acute: then no square root is needed.
+  if(is_opposite_acute(t, h) && is_opposite_acute(t, twin))
+    return false;
   const Vec2 a = corner_angle(t, previous_halfedge(h)),
              b = corner_angle(t, previous_halfedge(twin));
   return rotated(a, b)[1] < -1e-12;
 }
 
 // Replaces the edge ab of the triangles abc and bad by cd: they become cdb and dca.
-void flip(Surface_arrays& t, Index h)
+Edge_flip flip(Surface_arrays& t, Index h)
 {
   const Index twin = t.twin[h];
   const Index bc = next_halfedge(h), ca = previous_halfedge(h), ad = next_halfedge(twin),
               db = previous_halfedge(twin);
   const Vec2 c = apex(t, h), d = apex(t, twin); // d seen from b, with a on the first axis
-  const double diagonal = norm(c - (Vec2{t.length[h], 0.} - d));
+  const double edge = t.length[h], diagonal = norm(c - (Vec2{edge, 0.} - d));
+  // Both heights are at least zero, and their sum is positive.
+  Edge_flip result = {h, twin, 0., c[1] / (c[1] + d[1])};
+  result.on_edge = std::clamp((c[0] + result.on_diagonal * (edge - d[0] - c[0])) / edge, 0., 1.);
 
   struct Halfedge
   {
@@ -70,6 +84,7 @@ void flip(Surface_arrays& t, Index h)
   t.corner[h] = old_ca.source;    // c
   t.corner[twin] = old_db.source; // d
   t.length[h] = t.length[twin] = diagonal;
+  return result;
 }
 
 } // namespace
@@ -85,7 +100,15 @@ void mollify(Surface_arrays& t, double slack)
       length += deficit;
 }
 
-std::size_t flip_to_delaunay(Surface_arrays& t)
+bool is_delaunay(const Surface_arrays& t)
+{
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(t.twin[h] != none && h < t.twin[h] && needs_flip(t, h))
+      return false;
+  return true;
+}
+
+std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& t)
 {
   std::vector<Index> stack;
   std::vector<bool> is_stacked(t.corner.size(), false);
@@ -98,8 +121,8 @@ std::size_t flip_to_delaunay(Surface_arrays& t)
   // Terminates in exact arithmetic because each flip decreases the Dirichlet energy of the
   // identity.  The bound is for round-off errors.
   const std::size_t max_flips = 100 * t.corner.size() + 1000;
-  std::size_t flips = 0;
-  while(!stack.empty() && flips < max_flips)
+  std::vector<Edge_flip> flips;
+  while(!stack.empty() && flips.size() < max_flips)
   {
     const Index h = stack.back();
     stack.pop_back();
@@ -107,8 +130,7 @@ std::size_t flip_to_delaunay(Surface_arrays& t)
     if(!needs_flip(t, h))
       continue;
     const Index twin = t.twin[h];
-    flip(t, h);
-    ++flips;
+    flips.push_back(flip(t, h));
     for(const Index neighbor :
         {next_halfedge(h), previous_halfedge(h), next_halfedge(twin), previous_halfedge(twin)})
       if(t.twin[neighbor] != none && !is_stacked[neighbor])

@@ -5,6 +5,8 @@
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
+#include <vector>
+
 namespace CGAL::Geodesic_processing::internal {
 
 // Adds the smallest constant to all lengths so that in every triangle the sum of two lengths
@@ -13,12 +15,24 @@ namespace CGAL::Geodesic_processing::internal {
 CGAL_GEODESIC_PROCESSING_EXPORT
 void mollify(Surface_arrays& triangles, double slack);
 
+// Returns whether flip_to_delaunay() flips no edge.
+CGAL_GEODESIC_PROCESSING_EXPORT
+bool is_delaunay(const Surface_arrays& triangles);
+
+// A flip of the edge ab of the triangles abc and bad to the edge cd.
+struct Edge_flip
+{
+  Index halfedge, twin; // before: ab and ba.  After: cd, followed by db and bc; dc, ca and ad
+  double on_edge;       // position of the crossing on ab: 0 at a, 1 at b
+  double on_diagonal;   // the same on cd: 0 at c, 1 at d
+};
+
 // Flips edges of a mesh until it is intrinsic Delaunay: opposite angles sum to at most pi, up to
 // 1e-12, so that no cotangent weight is negative.  Changes corners, twins and lengths; the rings
 // become invalid.  Edges that have the same triangle at both halfedges are not flipped.  Returns
-// the number of flips.
+// the flips in their order.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::size_t flip_to_delaunay(Surface_arrays& triangles);
+std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& triangles);
 
 } // namespace CGAL::Geodesic_processing::internal
 

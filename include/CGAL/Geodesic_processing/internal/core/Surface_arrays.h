@@ -30,21 +30,25 @@ struct Proximity_graph
 inline constexpr double min_edge_length = 0x1p-36;
 
 struct Vertex_fans;
+class Intrinsic_triangulation;
 
-// The vertex fans shared by all fronts on the same arrays, as long as one of these fronts exists;
-// see vertex_fans.h.  A copy of the arrays starts without them, because its lengths may be changed.
-struct Shared_vertex_fans
+// What all fronts on the same arrays share, as long as one of these fronts exists; see
+// vertex_fans.h and Intrinsic_triangulation.h.  A copy of the arrays starts without it, because its
+// lengths may be changed.
+struct Shared_structures
 {
-  Shared_vertex_fans() = default;
-  Shared_vertex_fans(const Shared_vertex_fans&) {}
-  Shared_vertex_fans& operator=(const Shared_vertex_fans&)
+  Shared_structures() = default;
+  Shared_structures(const Shared_structures&) {}
+  Shared_structures& operator=(const Shared_structures&)
   {
-    cached = {};
+    vertex_fans = {};
+    intrinsic_triangulation = {};
     return *this;
   }
 
   std::mutex mutex;
-  std::array<std::weak_ptr<const Vertex_fans>, 2> cached; // without and with split angles
+  std::array<std::weak_ptr<const Vertex_fans>, 2> vertex_fans; // without and with split angles
+  std::weak_ptr<const Intrinsic_triangulation> intrinsic_triangulation;
 };
 
 // The connectivity and the edge lengths of a triangle mesh or of the triangles of a surfel cloud.
@@ -74,7 +78,7 @@ struct Surface_arrays
   double scale = 1.;
   std::array<double, 3> origin = {0., 0., 0.}; // coordinates of the caller = origin + scale * point
 
-  mutable Shared_vertex_fans vertex_fans;
+  mutable Shared_structures shared;
 
   std::size_t number_of_vertices() const { return ring_begin.empty() ? 0 : ring_begin.size() - 1; }
   std::size_t number_of_triangles() const { return corner.size() / 3; }

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/Intrinsic_triangulation.h"
+
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// The weights of a location in a triangle with an edge that is flipped: of the ends of the edge and
+// of the third vertex.
+struct Edge_weights
+{
+  double a, b, third;
+};
+
+Edge_weights weights_at_edge(const Edge_flip& flip, Index triangle,
+                             const std::array<double, 3>& weights)
+{
+  if(triangle == flip.halfedge / 3)
+    return {weights[flip.halfedge % 3], weights[next_halfedge(flip.halfedge) % 3],
+            weights[previous_halfedge(flip.halfedge) % 3]};
+  return {weights[next_halfedge(flip.twin) % 3], weights[flip.twin % 3],
+          weights[previous_halfedge(flip.twin) % 3]};
+}
+
+// Returns a function that is linear in the location, positive on the side of b of the diagonal cd,
+// and negative on the side of a.
+double side_of_diagonal(const Edge_flip& flip, const Edge_weights& weights)
+{
+  return weights.b * (1. - flip.on_edge) - weights.a * flip.on_edge;
+}
+
+// Returns a point of a segment, in barycentric coordinates.
+std::array<double, 3> interpolated(const std::array<double, 3>& begin,
+                                   const std::array<double, 3>& end, double parameter)
+{
+  std::array<double, 3> result;
+  for(int k = 0; k < 3; ++k)
+    result[k] = (1. - parameter) * begin[k] + parameter * end[k];
+  return result;
+}
+
+} // namespace
+
+Intrinsic_triangulation::Intrinsic_triangulation(const Surface_arrays& mesh)
+{
+  if(is_delaunay(mesh))
+    return;
+  auto triangles = std::make_shared<Surface_arrays>(mesh);
+  const std::vector<Edge_flip> flips = flip_to_delaunay(*triangles);
+  triangles->point.clear(); // an edge is not a segment in space
+  triangles->point.shrink_to_fit();
+  build_rings(*triangles, mesh.number_of_vertices());
+  m_triangles = std::move(triangles);
+  m_first_step.assign(mesh.number_of_triangles(), none);
+  m_steps.reserve(flips.size());
+  for(const Edge_flip& flip : flips)
+    m_steps.push_back({flip, {none, none}});
+  for(Index i = Index(m_steps.size()); i-- > 0;)
+  {
+    const Index triangles_of_flip[2] = {m_steps[i].flip.halfedge / 3, m_steps[i].flip.twin / 3};
+    for(const int k : {0, 1})
+      m_steps[i].next[k] = std::exchange(m_first_step[triangles_of_flip[k]], i);
+  }
+  find_removed_edges(mesh);
+}
+
+void Intrinsic_triangulation::find_removed_edges(const Surface_arrays& mesh)
+{
+  const Index n = Index(mesh.number_of_vertices());
+  // The length of the shortest edge between the current vertex and each of its neighbors.
+  std::vector<double> length(n, infinity);
+  const auto for_each_edge = [](const Surface_arrays& t, Index vertex, const auto& visit)
+  {
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+    {
+      const Index corner = t.ring[i], previous = previous_halfedge(corner);
+      visit(t.corner[next_halfedge(corner)], t.length[corner]);
+      if(t.twin[previous] == none)
+        visit(t.corner[previous], t.length[previous]);
+    }
+  };
+  m_removed_begin.reserve(n + 1);
+  for(Index vertex = 0; vertex < n; ++vertex)
+  {
+    m_removed_begin.push_back(Index(m_removed_edges.size()));
+    const auto is_changed = [&](Index corner) { return m_first_step[corner / 3] != none; };
+    const auto ring = mesh.ring.begin();
+    if(std::none_of(ring + mesh.ring_begin[vertex], ring + mesh.ring_begin[vertex + 1], is_changed))
+      continue;
+    for_each_edge(*m_triangles, vertex,
+                  [&](Index end, double l) { length[end] = std::min(length[end], l); });
+    for_each_edge(mesh, vertex,
+                  [&](Index end, double l)
+                  {
+                    if(!(length[end] <= l))
+                      m_removed_edges.push_back({end, l});
+                  });
+    for_each_edge(*m_triangles, vertex, [&](Index end, double) { length[end] = infinity; });
+  }
+  m_removed_begin.push_back(Index(m_removed_edges.size()));
+}
+
+// Moves a location over the next flip.  It is moved to the triangle at b, if it is beyond the
+// diagonal as seen from a, or to that at a.  Its weights there follow from the crossing x of edge
+// and diagonal: a is a combination of x and b, and x one of c and d.
+Intrinsic_triangulation::Place Intrinsic_triangulation::follow(const Place& place, bool is_beyond,
+                                                               std::array<double, 3>& weights) const
+{
+  const Step& step = m_steps[place.next_step];
+  const Edge_flip& flip = step.flip;
+  const auto [a, b, third] = weights_at_edge(flip, place.triangle, weights);
+  const double replaced = is_beyond ? a : b, kept = is_beyond ? b : a;
+  const double fraction = is_beyond ? 1. - flip.on_edge : flip.on_edge;
+  const double crossing = replaced > 0. ? replaced / fraction : 0.;
+  const double weight_of_kept = std::max(0., kept - (crossing - replaced));
+  const double third_of_c = place.triangle == flip.halfedge / 3 ? third : 0.;
+  const double weight_of_c = crossing * (1. - flip.on_diagonal) + third_of_c,
+               weight_of_d = crossing * flip.on_diagonal + (third - third_of_c);
+  const Index h = is_beyond ? flip.halfedge : flip.twin;
+  weights[h % 3] = is_beyond ? weight_of_c : weight_of_d;
+  weights[next_halfedge(h) % 3] = is_beyond ? weight_of_d : weight_of_c;
+  weights[previous_halfedge(h) % 3] = weight_of_kept;
+  return {h / 3, step.next[is_beyond ? 0 : 1]};
+}
+
+Surface_location Intrinsic_triangulation::locate(const Surface_location& location) const
+{
+  if(location.triangle == none)
+    return vertex_location(*m_triangles, location.vertex);
+  Place place = first_place(location.triangle);
+  std::array<double, 3> weights = location.barycentric;
+  while(place.next_step != none)
+  {
+    const Edge_flip& flip = m_steps[place.next_step].flip;
+    const double side = side_of_diagonal(flip, weights_at_edge(flip, place.triangle, weights));
+    place = follow(place, side >= 0., weights);
+  }
+  return canonical(*m_triangles, {place.triangle, none, weights});
+}
+
+std::vector<Intrinsic_triangulation::Segment>
+Intrinsic_triangulation::locate_segment(Index triangle, const std::array<double, 3>& begin,
+                                        const std::array<double, 3>& end) const
+{
+  struct Piece
+  {
+    Place place;
+    std::array<double, 3> begin, end;
+  };
+  std::vector<Segment> result;
+  std::vector<Piece> stack = {{first_place(triangle), begin, end}};
+  while(!stack.empty())
+  {
+    Piece piece = stack.back();
+    stack.pop_back();
+    if(piece.place.next_step == none)
+    {
+      result.emplace_back(canonical(*m_triangles, {piece.place.triangle, none, piece.begin}),
+                          canonical(*m_triangles, {piece.place.triangle, none, piece.end}));
+      continue;
+    }
+    const Edge_flip& flip = m_steps[piece.place.next_step].flip;
+    const auto side = [&](const std::array<double, 3>& weights)
+    { return side_of_diagonal(flip, weights_at_edge(flip, piece.place.triangle, weights)); };
+    const double at_begin = side(piece.begin), at_end = side(piece.end);
+    const auto push = [&](bool is_beyond, std::array<double, 3> from, std::array<double, 3> to)
+    {
+      follow(piece.place, is_beyond, from);
+      const Place place = follow(piece.place, is_beyond, to);
+      stack.push_back({place, from, to});
+    };
+    if((at_begin >= 0. && at_end >= 0.) || (at_begin <= 0. && at_end <= 0.))
+    {
+      push(at_begin + at_end >= 0., piece.begin, piece.end);
+      continue;
+    }
+    const auto crossing = interpolated(piece.begin, piece.end, at_begin / (at_begin - at_end));
+    push(at_begin > 0., piece.begin, crossing);
+    push(at_end > 0., crossing, piece.end);
+  }
+  return result;
+}
+
+std::shared_ptr<const Intrinsic_triangulation>
+shared_intrinsic_triangulation(const Surface_arrays& mesh)
+{
+  const std::lock_guard<std::mutex> lock(mesh.shared.mutex);
+  std::shared_ptr<const Intrinsic_triangulation> result =
+      mesh.shared.intrinsic_triangulation.lock();
+  if(!result)
+    mesh.shared.intrinsic_triangulation = result =
+        std::make_shared<const Intrinsic_triangulation>(mesh);
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_INTRINSIC_TRIANGULATION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include "mesh/intrinsic_delaunay.h"
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// The intrinsic Delaunay triangulation of a mesh, and the map from locations on the mesh to it.
+//
+// Both have the same vertices and the same metric.  A location is mapped by the flips in their
+// order: each flip that changes its triangle moves it to one of the two new triangles.  Its weights
+// stay nonnegative, because no areas are computed.  Thus needles and triangles of area zero need no
+// special case.  (Fisher and others 2007, "An algorithm for the construction of intrinsic Delaunay
+// triangulations", describe flips of meshes; locating points by the history of the flips is the
+// method of Guibas, Knuth and Sharir 1992.)
+class CGAL_GEODESIC_PROCESSING_EXPORT Intrinsic_triangulation
+{
+public:
+  using Segment = std::pair<Surface_location, Surface_location>;
+
+  // Flips the edges of a mesh, in time linear in the number of flips.
+  explicit Intrinsic_triangulation(const Surface_arrays& mesh);
+
+  // Returns whether no edge was flipped; then there are no triangles.
+  bool is_empty() const { return m_steps.empty(); }
+  // Returns the triangles.  Two of them can have the same vertices, and one can have a vertex
+  // twice.
+  const std::shared_ptr<const Surface_arrays>& triangles() const { return m_triangles; }
+
+  // Returns the canonical location in the triangulation of a canonical location on the mesh.
+  // Requires that there are triangles.
+  Surface_location locate(const Surface_location& location) const;
+  // Returns the pieces of a segment between two locations in a triangle of the mesh, each in one
+  // triangle of the triangulation.  Their order is arbitrary.
+  std::vector<Segment> locate_segment(Index triangle, const std::array<double, 3>& begin,
+                                      const std::array<double, 3>& end) const;
+
+  // An edge of the mesh, incident to a vertex, that is not in the triangulation.
+  struct Removed_edge
+  {
+    Index vertex; // at the far end
+    double length;
+  };
+  // Returns the range of the removed edges of a vertex.
+  std::pair<const Removed_edge*, const Removed_edge*> removed_edges(Index vertex) const
+  {
+    return {m_removed_edges.data() + m_removed_begin[vertex],
+            m_removed_edges.data() + m_removed_begin[vertex + 1]};
+  }
+
+private:
+  // A flip, and the next flip of each of its two triangles, or none.
+  struct Step
+  {
+    Edge_flip flip;
+    std::array<Index, 2> next; // of the triangle of flip.halfedge, and of that of flip.twin
+  };
+  // A triangle between two of its flips.
+  struct Place
+  {
+    Index triangle;
+    Index next_step;
+  };
+
+  void find_removed_edges(const Surface_arrays& mesh);
+  Place first_place(Index triangle) const { return {triangle, m_first_step[triangle]}; }
+  Place follow(const Place& place, bool is_beyond, std::array<double, 3>& weights) const;
+
+  std::shared_ptr<const Surface_arrays> m_triangles;
+  std::vector<Step> m_steps;
+  std::vector<Index> m_first_step;    // #triangles; none if the triangle was not changed
+  std::vector<Index> m_removed_begin; // #vertices + 1: begin of the edges of each vertex
+  std::vector<Removed_edge> m_removed_edges;
+};
+
+// Returns the intrinsic triangulation of a mesh, computed once as long as any user holds the
+// result. The mesh must not change afterwards.  Thread-safe.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::shared_ptr<const Intrinsic_triangulation>
+shared_intrinsic_triangulation(const Surface_arrays& mesh);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_INTRINSIC_TRIANGULATION_H

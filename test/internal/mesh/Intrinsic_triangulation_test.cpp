@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/Intrinsic_triangulation.h"
+
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+
+#include "Array_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+namespace Intrinsic_triangulation_test {
+
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// The vertices keep their positions.  In a plane, the triangles of the triangulation are those of
+// the plane, so that a location has coordinates in both.
+Vec3 point_in(const Surface_arrays& mesh, const Surface_arrays& triangles,
+              const Surface_location& location)
+{
+  Vec3 result = {0., 0., 0.};
+  for(int k = 0; k < 3; ++k)
+    result = result + location.barycentric[k] *
+                          mesh.point[triangles.corner[3 * std::size_t(location.triangle) + k]];
+  return result;
+}
+
+// A flat mesh of stretched triangles: a fifth of their edges is flipped.
+Triangulation stretched_plane()
+{
+  return grid(
+      15, 15,
+      [](double u, double v) {
+        return Point{4. * u, v, 0.};
+      },
+      0.24, 3);
+}
+
+// Positions have scaled coordinates below 2 and pass through tens of flips.
+constexpr double round_off = 1e-13;
+
+void expect_canonical(const Surface_location& location)
+{
+  ASSERT_NE(location.triangle, none);
+  for(const double weight : location.barycentric)
+    EXPECT_GE(weight, 0.);
+  EXPECT_NEAR(std::accumulate(location.barycentric.begin(), location.barycentric.end(), 0.), 1.,
+              1e-15); // three round-off errors
+}
+
+TEST(Intrinsic_triangulation, keeps_positions_in_plane)
+{
+  const Array_surface surface(stretched_plane());
+  const Surface_arrays& mesh = surface.t();
+  const Intrinsic_triangulation triangulation(mesh);
+  ASSERT_FALSE(triangulation.is_empty());
+  std::mt19937 random(1);
+  for(int i = 0; i < 500; ++i)
+  {
+    const Surface_location location = canonical(mesh, random_location(mesh, random));
+    const Surface_location image = triangulation.locate(location);
+    expect_canonical(image);
+    EXPECT_LT(norm(point_in(mesh, *triangulation.triangles(), image) -
+                   scaled_coordinates(mesh, location)),
+              round_off);
+  }
+}
+
+TEST(Intrinsic_triangulation, keeps_vertices)
+{
+  // On a closed mesh, a mesh with boundary, needles of width 1e-9, and a needle of area zero.
+  Triangulation flat_needle = square(3);
+  flat_needle.points[5] = {1. / 3., 0., 0.}; // on the lower side
+  for(const Triangulation& surface :
+      {jittered(icosphere(2), 0.1), square(8, 0.24), cylinder(300, 3, 1., 1e-9), flat_needle})
+  {
+    const Array_surface arrays(surface);
+    const Intrinsic_triangulation triangulation(arrays.t());
+    ASSERT_FALSE(triangulation.is_empty());
+    const Surface_arrays& triangles = *triangulation.triangles();
+    for(Index corner = 0; corner < arrays.t().corner.size(); ++corner)
+    {
+      const Surface_location image =
+          triangulation.locate({corner / 3, none, barycentric_at_corner(corner)});
+      EXPECT_EQ(vertex_of(triangles, image), arrays.t().corner[corner]);
+    }
+    for(Index vertex = 0; vertex < arrays.size(); ++vertex)
+      EXPECT_EQ(vertex_of(triangles, triangulation.locate({none, vertex, {}})), vertex);
+  }
+}
+
+TEST(Intrinsic_triangulation, pieces_of_segment_cover_it)
+{
+  const Array_surface surface(stretched_plane());
+  const Surface_arrays& mesh = surface.t();
+  const Intrinsic_triangulation triangulation(mesh);
+  std::mt19937 random(2);
+  std::size_t number_of_pieces = 0;
+  for(int i = 0; i < 300; ++i)
+  {
+    const Surface_location begin = random_location(mesh, random);
+    Surface_location end = random_location(mesh, random);
+    end.triangle = begin.triangle;
+    const Vec3 p = scaled_coordinates(mesh, begin), q = scaled_coordinates(mesh, end);
+    double length = 0.;
+    for(const auto& [from, to] :
+        triangulation.locate_segment(begin.triangle, begin.barycentric, end.barycentric))
+    {
+      ++number_of_pieces;
+      expect_canonical(from);
+      expect_canonical(to);
+      EXPECT_EQ(from.triangle, to.triangle);
+      const Vec3 a = point_in(mesh, *triangulation.triangles(), from),
+                 b = point_in(mesh, *triangulation.triangles(), to);
+      length += norm(b - a);
+      for(const Vec3& point : {a, b}) // on the segment: the triangle inequality is an equation
+        EXPECT_NEAR(norm(point - p) + norm(point - q), norm(p - q), round_off);
+    }
+    EXPECT_NEAR(length, norm(p - q), round_off);
+  }
+  EXPECT_GT(number_of_pieces, 330u); // some segments cross edges
+}
+
+TEST(Intrinsic_triangulation, every_edge_is_kept_or_removed)
+{
+  for(const Triangulation& surface : {jittered(icosphere(3), 0.1), square(10, 0.24)})
+  {
+    const Array_surface arrays(surface);
+    const Surface_arrays& mesh = arrays.t();
+    const Intrinsic_triangulation triangulation(mesh);
+    const Surface_arrays& triangles = *triangulation.triangles();
+    std::size_t number_of_removed = 0;
+    for(Index h = 0; h < mesh.corner.size(); ++h)
+    {
+      const Index from = mesh.corner[h], to = mesh.corner[next_halfedge(h)];
+      bool is_kept = false;
+      for(Index k = 0; k < triangles.corner.size(); ++k)
+        is_kept = is_kept ||
+                  (((triangles.corner[k] == from && triangles.corner[next_halfedge(k)] == to) ||
+                    (triangles.corner[k] == to && triangles.corner[next_halfedge(k)] == from)) &&
+                   triangles.length[k] == mesh.length[h]);
+      const auto [begin, end] = triangulation.removed_edges(from);
+      const bool is_removed = std::any_of(
+          begin, end,
+          [&](const auto& edge) { return edge.vertex == to && edge.length == mesh.length[h]; });
+      EXPECT_NE(is_kept, is_removed);
+      number_of_removed += is_removed;
+    }
+    EXPECT_GT(number_of_removed, 0u);
+  }
+}
+
+TEST(Intrinsic_triangulation, of_delaunay_mesh_is_empty)
+{
+  EXPECT_TRUE(Intrinsic_triangulation(Array_surface(icosphere(3)).t()).is_empty());
+}
+
+TEST(Intrinsic_triangulation, handles_vertex_of_two_fans)
+{
+  // Two flat rhombi that share a vertex only; the long diagonal of each is flipped.
+  const Triangulation surface = {{{0., 0., 0.},
+                                  {4., 0., 0.},
+                                  {2., 0.5, 0.},
+                                  {2., -0.5, 0.},
+                                  {-4., 0., 0.},
+                                  {-2., 0.5, 0.},
+                                  {-2., -0.5, 0.}},
+                                 {0, 1, 2, 1, 0, 3, 4, 0, 5, 0, 4, 6}};
+  const Array_surface arrays(surface);
+  const Intrinsic_triangulation triangulation(arrays.t());
+  ASSERT_FALSE(triangulation.is_empty());
+  for(Index face = 0; face < 4; ++face)
+  {
+    const Surface_location location = arrays.in(face, {0.5, 0.3, 0.2});
+    EXPECT_LT(
+        norm(point_in(arrays.t(), *triangulation.triangles(), triangulation.locate(location)) -
+             scaled_coordinates(arrays.t(), location)),
+        round_off);
+  }
+}
+
+TEST(Intrinsic_triangulation, is_shared_while_in_use)
+{
+  const Array_surface surface(square(5, 0.24));
+  const auto first = shared_intrinsic_triangulation(surface.t());
+  EXPECT_EQ(shared_intrinsic_triangulation(surface.t()), first);
+}
+
+} // namespace Intrinsic_triangulation_test
