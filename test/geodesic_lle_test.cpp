@@ -307,13 +307,16 @@ TEST(geodesic_lle, has_no_flips_on_gently_curved_patches)
 // unflipping.
 TEST(geodesic_lle, unflips_few_inverted_faces)
 {
-  for(const std::string name : {"mushroom_2k.off", "three_peaks_2k.off"})
+  // With other numbers of base points, the linear map of the three peaks folds a tenth of the
+  // faces.
+  for(const auto& [name, number] : {std::pair<std::string, std::size_t>("mushroom_2k.off", 200),
+                                    std::pair<std::string, std::size_t>("three_peaks_2k.off", 250)})
   {
     Mesh mesh;
     if(!read_model("patches/" + name, mesh))
       GTEST_SKIP() << no_models;
     auto uv = vertex_map<UV>(mesh);
-    GP::geodesic_lle(mesh, uv);
+    GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(number));
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << name;
   }
 }

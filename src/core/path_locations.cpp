@@ -78,11 +78,7 @@ std::array<double, 3> coordinates(const Surface_arrays& t, const Surface_locatio
 double straight_distance(const Surface_arrays& t, const Surface_location& p,
                          const Surface_location& q)
 {
-  // The relative round-off error of the distance of two points is below 4 epsilon.  The coordinates
-  // are of order one.
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const double distance = norm(scaled_coordinates(t, p) - scaled_coordinates(t, q));
-  return std::max(0., distance * (1. - 4. * epsilon) - 16. * epsilon);
+  return straight_distance(scaled_coordinates(t, p), scaled_coordinates(t, q));
 }
 
 double polyline_length(const Surface_arrays& t, const std::vector<Surface_location>& path)

@@ -9,6 +9,7 @@
 #include "core/unfold.h"
 #include "distances/front_relaxation.h"
 #include "distances/front_updates.h"
+#include "mesh/Intrinsic_triangulation.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -37,16 +38,28 @@ void prefetch_around(const Front_state& front, Index vertex)
     return prefetch_lines(front.fans->splits.data() + first.split, 2);
   prefetch(front.triangles->ring.data() + first.ring);
   prefetch(&front.directions[vertex]);
+  if(front.point_source)
+    prefetch(&front.surface->point[vertex]);
+}
+
+// Returns the location in the triangles on which the front propagates.
+Surface_location located(const Front_state& front, const Surface_location& location)
+{
+  return front.triangles == front.surface ? location
+                                          : front.intrinsic_triangulation->locate(location);
 }
 
 // Returns the vertices of the targets, each with the length of the longest edge of its triangles.
 // If the front is farther than the distance of a vertex by this length, no triangle can decrease
 // it.
 std::vector<std::pair<Index, double>>
-finalization_delays(const Surface_arrays& t, const std::vector<Surface_location>& targets)
+finalization_delays(const Front_state& front, const std::vector<Surface_location>& targets)
 {
+  const Surface_arrays& t = *front.triangles;
   std::vector<std::pair<Index, double>> result;
-  for(const Surface_location& target : targets)
+  for(const Surface_location& location : targets)
+  {
+    const Surface_location target = located(front, location);
     for(int k = 0; k < (target.triangle == none ? 1 : 3); ++k)
     {
       const Index vertex =
@@ -57,6 +70,60 @@ finalization_delays(const Surface_arrays& t, const std::vector<Surface_location>
           max_edge_length = std::max(max_edge_length, t.length[h]);
       result.emplace_back(vertex, max_edge_length);
     }
+  }
+  return result;
+}
+
+// Selects what a Euclidean front propagates on.  With speeds it is straight and needs the triangles
+// of the surface, because a speed is constant in each of them.
+void select_triangles(Front_state& front)
+{
+  if(front.slowness && !front.split_fans)
+    front.split_fans = shared_vertex_fans(*front.surface, true);
+  front.fans = front.slowness ? front.split_fans : front.circular_fans;
+  front.triangles = front.intrinsic_triangulation && !front.slowness
+                        ? front.intrinsic_triangulation->triangles()
+                        : front.surface;
+}
+
+// Returns the distance at a location through a corner of its triangle of the surface.
+double distance_by_corners(const Front_state& front, const Surface_location& location)
+{
+  const Surface_arrays& t = *front.surface;
+  double result = infinity;
+  for(int k = 0; k < 3; ++k)
+  {
+    const Index corner = 3 * location.triangle + k;
+    result = std::min(result, front.vertices[t.corner[corner]].distance +
+                                  distance_in_triangle(t, location.triangle, location.barycentric,
+                                                       barycentric_at_corner(corner)));
+  }
+  return result;
+}
+
+// Returns the adjacent vertex through which the path along edges is shortest, of those that are
+// closer to the source, or none.
+Index nearest_predecessor(const Front_state& front, Index v)
+{
+  const Surface_arrays& t = *front.surface;
+  Index result = none;
+  double min_distance = infinity;
+  const auto visit = [&](Index neighbor, double length)
+  {
+    const double distance = front.vertices[neighbor].distance;
+    if(distance < front.vertices[v].distance && distance + length < min_distance &&
+       front.sources[neighbor] == front.sources[v])
+    {
+      min_distance = distance + length;
+      result = neighbor;
+    }
+  };
+  for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
+  {
+    const Index corner = t.ring[i];
+    visit(t.corner[next_halfedge(corner)], t.length[corner]);
+    visit(t.corner[previous_halfedge(corner)], t.length[previous_halfedge(corner)]);
+  }
   return result;
 }
 
@@ -66,17 +133,28 @@ Front::Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind)
 {
   Front_state& front = m_state;
   front.kind = kind;
-  front.triangles = std::move(triangles);
-  const Surface_arrays& t = *front.triangles;
+  front.surface = front.triangles = std::move(triangles);
+  const Surface_arrays& t = *front.surface;
   front.vertices.resize(t.number_of_vertices());
   front.sources.resize(t.number_of_vertices(), none);
   front.queue = Vertex_queue(t.number_of_vertices());
-  if(kind == Front_kind::planar || (kind == Front_kind::euclidean && !t.is_cloud()))
-    front.fans = shared_vertex_fans(t, kind == Front_kind::planar);
-  if(kind == Front_kind::euclidean)
-    front.directions.resize(front.vertices.size());
-  if(kind == Front_kind::euclidean && t.is_cloud())
+  if(kind == Front_kind::planar)
+    front.fans = shared_vertex_fans(t, true);
+  if(kind != Front_kind::euclidean)
+    return;
+  front.directions.resize(front.vertices.size());
+  if(t.is_cloud())
+  {
     front.components = std::make_shared<const std::vector<Index>>(triangle_components(t).first);
+    return;
+  }
+  // Circular fronts are inaccurate and slow on needles and caps.
+  front.intrinsic_triangulation = shared_intrinsic_triangulation(t);
+  if(front.intrinsic_triangulation->is_empty())
+    front.intrinsic_triangulation = nullptr;
+  else
+    front.triangles = front.intrinsic_triangulation->triangles();
+  front.circular_fans = front.fans = shared_vertex_fans(*front.triangles, false);
 }
 
 bool Front::run(const std::vector<Front_source>& sources, const Front_limits& limits)
@@ -85,6 +163,8 @@ bool Front::run(const std::vector<Front_source>& sources, const Front_limits& li
   initialize(m_state, sources);
   const bool is_finished = propagate(limits);
   discard_tentative_vertices();
+  if(m_state.triangles != m_state.surface)
+    bound_by_removed_edges(m_state);
   return is_finished;
 }
 
@@ -105,11 +185,8 @@ void Front::begin_query(const Front_limits& limits)
   front.slowness = limits.slowness;
   front.known_distance = limits.known_distance;
   front.improves_known_distance = true;
-  if(front.slowness && front.kind == Front_kind::euclidean && !front.has_splits)
-  {
-    front.fans = shared_vertex_fans(*front.triangles, true);
-    front.has_splits = true;
-  }
+  if(front.kind == Front_kind::euclidean)
+    select_triangles(front);
 }
 
 // Makes the vertices final in the order of their distances, until the queue is empty, the targets
@@ -117,8 +194,7 @@ void Front::begin_query(const Front_limits& limits)
 bool Front::propagate(const Front_limits& limits)
 {
   Front_state& front = m_state;
-  std::vector<std::pair<Index, double>> targets =
-      finalization_delays(*front.triangles, limits.targets);
+  std::vector<std::pair<Index, double>> targets = finalization_delays(front, limits.targets);
   const bool has_targets = !targets.empty();
   for(std::size_t number_of_visits = 0; !front.queue.empty(); ++number_of_visits)
   {
@@ -147,7 +223,9 @@ bool Front::propagate(const Front_limits& limits)
       if(front.known_distance)
         prefetch(front.known_distance->data() + front.queue.front().vertex);
     }
-    front.vertices[entry.vertex].state |= final_flag;
+    Front_vertex& vertex = front.vertices[entry.vertex];
+    vertex.state |= final_flag;
+    vertex.distance = std::max(vertex.distance, straight_bound(front, entry.vertex));
     propagate_from(entry.vertex);
   }
   return true;
@@ -199,6 +277,8 @@ Index Front::predecessor(Index v) const
     return none;
   if(!front.has_directions() || t.is_cloud())
     return vertex.corner;
+  if(front.triangles != front.surface)
+    return nearest_predecessor(front, v);
   const Index next = t.corner[next_halfedge(vertex.corner)],
               previous = t.corner[previous_halfedge(vertex.corner)];
   // Prefers the edge with the smaller angle to the direction, if its end is closer to the source.
@@ -214,15 +294,22 @@ Index Front::predecessor(Index v) const
 
 double Front::distance(const Surface_location& location) const
 {
-  const Surface_arrays& t = *m_state.triangles;
-  if(const Index vertex = vertex_of(t, location); vertex != none)
-    return m_state.vertices[vertex].distance;
+  const Front_state& front = m_state;
+  if(const Index vertex = vertex_of(*front.surface, location); vertex != none)
+    return front.vertices[vertex].distance;
   // At a point on an edge, the front may arrive through either triangle.
+  const Surface_arrays& t = *front.triangles;
+  const Surface_location p = located(front, location);
   double result = infinity;
-  for(const Index triangle : triangles_at(t, location))
-    result = std::min(result,
-                      distance_in_front(m_state, triangle, *barycentric_in(t, triangle, location)));
-  return result <= m_state.max_distance ? result : infinity;
+  for(const Index triangle : triangles_at(t, p))
+    result = std::min(result, distance_in_front(front, triangle, *barycentric_in(t, triangle, p)));
+  if(front.triangles != front.surface)
+    result = std::min(result, distance_by_corners(front, location));
+  if(front.point_source)
+    result = std::max(result, front.min_offset +
+                                  straight_distance(scaled_coordinates(*front.surface, location),
+                                                    *front.point_source));
+  return result <= front.max_distance ? result : infinity;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -3,6 +3,7 @@
 #include "distances/front_relaxation.h"
 
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include "mesh/Intrinsic_triangulation.h"
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -85,6 +86,49 @@ void relax_all_edges(Front_state& front, Index vertex, Index flags)
     relax_along_edge(front, vertex, position, flags);
     if(front.fans->edges[position.edge].flags & Vertex_fans::Fan_edge::has_triangle)
       ++position.ring;
+  }
+}
+
+void bound_by_removed_edges(Front_state& front)
+{
+  const Surface_arrays& surface = *front.surface;
+  std::vector<Index> decreased;
+  const auto relax_edge = [&](Index from, Index to, double length, bool may_reach)
+  {
+    Front_vertex& vertex = front.vertices[to];
+    const double distance = front.vertices[from].distance + length;
+    const bool is_reached = vertex.distance < infinity;
+    if(!(distance < vertex.distance) || !(is_reached || may_reach) || distance > front.max_distance)
+      return;
+    if(!is_reached)
+      front.reached.push_back(to);
+    vertex.distance = distance;
+    // The edge crosses several triangles: the direction is not stored, and any corner is valid.
+    vertex.corner = front.triangles->ring[front.triangles->ring_begin[to]];
+    vertex.state = reached_flag | final_flag | tentative_flag;
+    front.sources[to] = front.sources[from];
+    decreased.push_back(to);
+  };
+  const std::size_t number_of_reached = front.reached.size();
+  for(std::size_t i = 0; i < number_of_reached; ++i)
+  {
+    const Index v = front.reached[i];
+    if(front.known_distance && !(front.vertices[v].distance < (*front.known_distance)[v]))
+      continue;
+    const auto [begin, end] = front.intrinsic_triangulation->removed_edges(v);
+    for(auto edge = begin; edge != end; ++edge)
+      relax_edge(v, edge->vertex, edge->length, front.known_distance != nullptr);
+  }
+  while(!decreased.empty())
+  {
+    const Index v = decreased.back();
+    decreased.pop_back();
+    for(Index i = surface.ring_begin[v]; i < surface.ring_begin[v + 1]; ++i)
+    {
+      const Index corner = surface.ring[i], previous = previous_halfedge(corner);
+      relax_edge(v, surface.corner[next_halfedge(corner)], surface.length[corner], false);
+      relax_edge(v, surface.corner[previous], surface.length[previous], false);
+    }
   }
 }
 

@@ -3,10 +3,12 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FRONT_RELAXATION_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FRONT_RELAXATION_H
 
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/distances/Front_state.h>
 
 #include "core/prefetch.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -28,9 +30,9 @@ constexpr Index straight_flag = 16; // its source is a segment: the front may be
 constexpr Index arrival_flags = source_flag | tentative_flag | straight_flag;
 // The higher bits count the corrections of a vertex.
 constexpr Index correction_unit = 32;
-// Most vertices need no correction; vertices of meshes of needles need up to thousands.  The bound
-// ends queries on inconsistent input.
-constexpr Index max_corrections = 4096;
+// Most vertices need no correction, and few need more than ten.  The bound ends cycles, in which
+// vertices invalidate each other.
+constexpr Index max_corrections = 64;
 
 // A final vertex is corrected if its distance decreases by more than this fraction.  A front that
 // is fitted to an overestimated distance is too curved and yields underestimates, which no later
@@ -45,10 +47,11 @@ constexpr double invalidation_ratio = 1e-2;
 // minimum of many values that differ by round-off errors is biased, increasingly with the distance.
 constexpr double relaxation_tolerance = 1e-14;
 // Bounds the number of invalidated vertices by this multiple of the reached ones.  Scans need 0.2,
-// meshes of needles 1; on a folded Schwarz lantern the number is unbounded.  Beyond the budget a
-// vertex is corrected a few times only and nothing is invalidated.
-constexpr std::size_t max_invalidation_ratio = 4;
-constexpr std::size_t min_invalidation_budget = 20000; // allowed in every query
+// most CAD models less.  On some, cycles have no end; with four times this budget, queries took up
+// to ten times as long, with the same errors.  Beyond the budget a vertex is corrected a few times
+// only and nothing is invalidated.
+constexpr std::size_t max_invalidation_ratio = 1;
+constexpr std::size_t min_invalidation_budget = 2000; // allowed in every query
 constexpr Index max_corrections_over_budget = 8;
 
 // The values that an update rule computes for a vertex.
@@ -77,6 +80,15 @@ inline bool needs_invalidation(const Front_state& front, Index vertex, double co
          correction > invalidation_ratio * edge.length;
 }
 
+// Returns a lower bound of the distance at a vertex: the offset plus the distance along the
+// straight line to the only point source, or minus infinity.
+inline double straight_bound(const Front_state& front, Index vertex)
+{
+  if(!front.point_source)
+    return -infinity;
+  return front.min_offset + straight_distance(front.surface->point[vertex], *front.point_source);
+}
+
 // Updates a vertex if the arrival is better than its values, and puts it into the queue.  Returns
 // whether the vertex was updated.
 inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index source)
@@ -87,29 +99,34 @@ inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index sou
   if(arrival.distance > front.max_distance && !front.has_directions())
     return false;
   Front_vertex& vertex = front.vertices[v];
+  double distance = arrival.distance;
   const bool is_final = vertex.state & final_flag;
   if(is_final)
   {
     const Index max_corrections_here =
         can_invalidate(front) ? max_corrections : max_corrections_over_budget;
+    const double max_distance =
+        vertex.distance - correction_tolerance * (vertex.distance - front.min_offset);
     if(!front.has_directions() || vertex.state >= max_corrections_here * correction_unit ||
-       arrival.distance >=
-           vertex.distance - correction_tolerance * (vertex.distance - front.min_offset))
+       distance >= max_distance)
+      return false;
+    distance = std::max(distance, straight_bound(front, v));
+    if(distance >= max_distance)
       return false;
     vertex.state += correction_unit;
-    if(front.fans && needs_invalidation(front, v, vertex.distance - arrival.distance))
+    if(front.fans && needs_invalidation(front, v, vertex.distance - distance))
       front.corrected_vertices.push_back(v);
   }
-  else if(arrival.distance >= vertex.distance)
+  else if(distance >= vertex.distance)
   {
     // The same distance replaces a tentative one: its direction can be trusted.
-    const bool is_better = arrival.distance == vertex.distance && (vertex.state & tentative_flag) &&
+    const bool is_better = distance == vertex.distance && (vertex.state & tentative_flag) &&
                            !(arrival.flags & tentative_flag);
     if(!is_better)
       return false;
   }
   const bool is_reached = vertex.state & reached_flag;
-  vertex.distance = arrival.distance;
+  vertex.distance = distance;
   if(!front.directions.empty())
     front.directions[v] = arrival.direction;
   vertex.corner = arrival.corner;
@@ -117,11 +134,11 @@ inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index sou
   front.sources[v] = source;
   // The delay lets the front arrive through a triangle before a tentative vertex becomes final.
   if(is_reached)
-    front.queue.push(v, arrival.distance + arrival.delay);
+    front.queue.push(v, distance + arrival.delay);
   else
   {
     front.reached.push_back(v);
-    front.queue.insert(v, arrival.distance + arrival.delay);
+    front.queue.insert(v, distance + arrival.delay);
     if(front.fans)
       prefetch(&front.fans->begin[v]);
   }
@@ -141,6 +158,11 @@ void relax_along_edge(Front_state& front, Index vertex, const Fan_position& posi
 
 // Relaxes all vertices adjacent to a vertex with the lengths of the edges.  Requires fans.
 void relax_all_edges(Front_state& front, Index vertex, Index flags);
+
+// Decreases the distances of a front that has propagated on an intrinsic triangulation to those
+// along edges of the surface.  With known distances, also reaches the ends of the edges of all
+// vertices that improve theirs.
+void bound_by_removed_edges(Front_state& front);
 
 } // namespace CGAL::Geodesic_processing::internal
 

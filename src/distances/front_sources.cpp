@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include "core/unfold.h"
 #include "distances/front_relaxation.h"
+#include "mesh/Intrinsic_triangulation.h"
 
 #include <algorithm>
 #include <array>
@@ -81,13 +82,51 @@ void initialize_triangle(Front_state& front, Index triangle, const Surface_locat
   }
 }
 
+// Initializes the triangles that contain a segment between two locations in a common triangle.
+void initialize_segment(Front_state& front, const Surface_location& begin,
+                        const Surface_location& end, double offset, Index source)
+{
+  for(const Index triangle : triangles_at(*front.triangles, begin))
+    initialize_triangle(front, triangle, begin, end, offset, source);
+}
+
+// Initializes a source, whose locations refer to the surface.
+void initialize_source(Front_state& front, const Front_source& source, Index i)
+{
+  const std::vector<Surface_location>& polyline = source.polyline;
+  const Intrinsic_triangulation* const intrinsic =
+      front.triangles == front.surface ? nullptr : front.intrinsic_triangulation.get();
+  if(polyline.size() == 1)
+  {
+    const Surface_location location = intrinsic ? intrinsic->locate(polyline[0]) : polyline[0];
+    initialize_segment(front, location, location, source.offset, i);
+    if(const Index vertex = vertex_of(*front.triangles, location); vertex != none)
+      initialize_vertex(front, vertex, source.offset, 0, i);
+  }
+  for(std::size_t k = 1; k < polyline.size(); ++k)
+  {
+    const Surface_location &begin = polyline[k - 1], &end = polyline[k];
+    if(!intrinsic)
+      initialize_segment(front, begin, end, source.offset, i);
+    else if(const Index triangle = common_triangle(*front.surface, begin, end); triangle != none)
+      for(const auto& [from, to] :
+          intrinsic->locate_segment(triangle, *barycentric_in(*front.surface, triangle, begin),
+                                    *barycentric_in(*front.surface, triangle, end)))
+        initialize_segment(front, from, to, source.offset, i);
+  }
+}
+
 } // namespace
 
 void initialize(Front_state& front, const std::vector<Front_source>& sources)
 {
-  const Surface_arrays& t = *front.triangles;
+  const Surface_arrays& surface = *front.surface;
   front.source_pieces.clear();
   front.has_single_source = sources.size() == 1;
+  front.point_source.reset();
+  if(front.has_single_source && sources[0].polyline.size() == 1 && !front.slowness &&
+     !surface.is_cloud() && !surface.point.empty())
+    front.point_source = scaled_coordinates(surface, sources[0].polyline[0]);
   front.offsets.clear();
   for(const Front_source& source : sources)
     front.offsets.push_back(source.offset);
@@ -95,19 +134,7 @@ void initialize(Front_state& front, const std::vector<Front_source>& sources)
   for(const Front_source& source : sources)
     front.min_offset = std::min(front.min_offset, source.offset);
   for(Index i = 0; i < sources.size(); ++i)
-  {
-    const std::vector<Surface_location>& polyline = sources[i].polyline;
-    if(polyline.size() == 1)
-    {
-      for(const Index triangle : triangles_at(t, polyline[0]))
-        initialize_triangle(front, triangle, polyline[0], polyline[0], sources[i].offset, i);
-      if(const Index vertex = vertex_of(t, polyline[0]); vertex != none)
-        initialize_vertex(front, vertex, sources[i].offset, 0, i);
-    }
-    for(std::size_t k = 1; k < polyline.size(); ++k)
-      for(const Index triangle : triangles_at(t, polyline[k - 1]))
-        initialize_triangle(front, triangle, polyline[k - 1], polyline[k], sources[i].offset, i);
-  }
+    initialize_source(front, sources[i], i);
   std::sort(front.source_pieces.begin(), front.source_pieces.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
 }

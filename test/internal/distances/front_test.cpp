@@ -1078,6 +1078,11 @@ TEST(Front, stops_where_known_distances_are_smaller)
           }
         }
     }
+    // A Euclidean front also reaches the neighbors in the intrinsic Delaunay triangulation.
+    if(kind == Kind::euclidean)
+      for(Index f = 0; f < t.number_of_triangles(); ++f)
+        if(front.distance(t.corner[3 * f]) < infinity)
+          is_near_improvement[t.corner[3 * f]] = true;
     for(Index vertex = 0; vertex < surface.size(); ++vertex)
     {
       max_error = std::max(max_error, std::min(front.distance(vertex), known[vertex]) -
@@ -1089,6 +1094,82 @@ TEST(Front, stops_where_known_distances_are_smaller)
     }
     // The length of an edge is 1/30.
     EXPECT_LE(max_error, kind == Kind::dijkstra ? 0. : 0.02 / 30. / surface.scale());
+  }
+}
+
+// A flat rectangle of needles: their long edges are 500 times as long as the short ones.
+Triangulation needle_sheet(unsigned seed)
+{
+  return grid(
+      200, 4,
+      [](double u, double v) {
+        return Point{u, 10. * v, 0.};
+      },
+      0.24, seed);
+}
+
+TEST(Front, is_exact_and_fast_on_needles)
+{
+  const Triangulation plane = needle_sheet(5);
+  const Array_surface surface(plane);
+  std::mt19937 random(4);
+  for(const Index source : {0u, 402u, 1004u})
+  {
+    Front front(surface.triangles(), Kind::euclidean);
+    front.run({surface.source(source)});
+    EXPECT_LT(largest_error(surface.distances(front), [&](Index i)
+                            { return distance(plane.points[i], plane.points[source]); }),
+              flat_tolerance);
+    // Locations refer to the triangles of the mesh, which the front does not use.
+    for(int i = 0; i < 100; ++i)
+    {
+      const Surface_location location = random_location(surface.t(), random);
+      EXPECT_NEAR(surface.scale() * front.distance(location),
+                  distance(point_at(surface.t(), location), plane.points[source]), flat_tolerance);
+    }
+  }
+}
+
+TEST(Front, is_exact_from_locations_on_needles)
+{
+  const Triangulation plane = needle_sheet(6);
+  const Array_surface surface(plane);
+  std::mt19937 random(5);
+  for(int i = 0; i < 20; ++i)
+  {
+    const Surface_location source = random_location(surface.t(), random);
+    const Point p = point_at(surface.t(), source);
+    EXPECT_LT(largest_error(run(surface, Kind::euclidean, {surface.source(source)}),
+                            [&](Index k) { return distance(plane.points[k], p); }),
+              flat_tolerance);
+  }
+}
+
+TEST(Front, is_between_straight_line_and_edge_paths)
+{
+  // Needles, caps and folds: circular fronts are inaccurate here.
+  for(const Triangulation& mesh :
+      {jittered(cylinder(60, 4, 1., 8.), 0.12), jittered(icosphere(2), 0.25), needle_sheet(7),
+       cone(40, 3, 3. * pi)})
+  {
+    const Array_surface surface(mesh);
+    for(const Index source : {Index(0), Index(surface.size() / 2)})
+    {
+      const auto along_edges = run(surface, Kind::dijkstra, {surface.source(source)});
+      for(const Kind kind : {Kind::planar, Kind::euclidean})
+      {
+        const auto d = run(surface, kind, {surface.source(source)});
+        for(Index i = 0; i < surface.size(); ++i)
+        {
+          EXPECT_GE(d[i], distance(mesh.points[i], mesh.points[source]) * (1. - round_off) -
+                              surface.scale() * round_off);
+          if(kind == Kind::euclidean)
+          {
+            EXPECT_LE(d[i], along_edges[i] * (1. + round_off));
+          }
+        }
+      }
+    }
   }
 }
 

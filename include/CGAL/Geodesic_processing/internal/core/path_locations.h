@@ -4,8 +4,11 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_PATH_LOCATIONS_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -74,8 +77,17 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_same_point(const Surface_arrays& triangles, const Surface_location& p,
                    const Surface_location& q);
 
-// Returns the distance of two locations in space minus round-off errors, in scaled units; a lower
-// bound of the length of all paths between them.
+// Returns the distance of two points with scaled coordinates minus round-off errors: a lower bound
+// of the length of all paths between them.
+inline double straight_distance(const Vec3& p, const Vec3& q)
+{
+  // The relative round-off error of the distance of two points is below 4 epsilon.  The coordinates
+  // are of order one.
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  return std::max(0., norm(p - q) * (1. - 4. * epsilon) - 16. * epsilon);
+}
+
+// The same for two locations.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double straight_distance(const Surface_arrays& triangles, const Surface_location& p,
                          const Surface_location& q);

@@ -6,10 +6,12 @@
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/distances/vertex_fans.h>
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -54,11 +56,13 @@ struct Front_state
   }
   double slowness_in(Index triangle) const { return slowness ? (*slowness)[triangle] : 1.; }
 
-  std::shared_ptr<const Surface_arrays> triangles;
-  std::shared_ptr<const Vertex_fans> fans; // null for dijkstra, and for clouds if euclidean
+  std::shared_ptr<const Surface_arrays> surface; // locations and speeds refer to it
+  // Of a Euclidean front on a mesh that is not intrinsic Delaunay; otherwise null.
+  std::shared_ptr<const Intrinsic_triangulation> intrinsic_triangulation;
+  // Of a Euclidean front on a mesh: for circular fronts, and for straight ones if there are speeds.
+  std::shared_ptr<const Vertex_fans> circular_fans, split_fans;
   std::shared_ptr<const std::vector<Index>> components; // #vertices; euclidean on clouds only
   Front_kind kind = Front_kind::dijkstra;
-  bool has_splits = false; // a Euclidean front got fans with split obtuse corners, for speeds
 
   std::vector<Front_vertex> vertices; // #vertices
   // #vertices, Euclidean fronts only: the unit vector to the source.  On a mesh it is in the plane
@@ -73,6 +77,10 @@ struct Front_state
   std::vector<Index> corrected_vertices;
 
   // Query
+  // What the front propagates on: the surface, or its intrinsic triangulation.  All corners and
+  // halfedges of the results refer to these triangles.
+  std::shared_ptr<const Surface_arrays> triangles;
+  std::shared_ptr<const Vertex_fans> fans; // null for dijkstra, and for clouds if euclidean
   std::shared_ptr<const std::vector<double>> slowness; // #triangles; null if it is 1 everywhere
   // The pieces of the sources by triangle, sorted by triangle.
   std::vector<std::pair<Index, Front_source>> source_pieces;
@@ -80,6 +88,9 @@ struct Front_state
   double min_offset = 0.;
   double max_distance = infinity;
   bool has_single_source = false;
+  // The scaled coordinates of the only source, if it is a point on a mesh with coordinates, without
+  // speeds.  Then no distance is shorter than the straight line to it.
+  std::optional<Vec3> point_source;
   const std::vector<double>* known_distance = nullptr; // #vertices; see Front_limits
   // Whether the current vertex improves its known distance.  Otherwise it relaxes only vertices
   // whose known distance it improves.
