@@ -78,6 +78,7 @@ check_all()
   check "$file" wavelet --keep 10 --bits 4 || failed=1
   check "$file" decal --base 0 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
+  check "$file" distance --source 0 --method euclidean || failed=1
   check "$file" path --from 0 --to 1 --method exact || failed=1
   check "$file" matrix --number 5 --method exact || failed=1
   check "$file" emd --from 0 --to 1 || failed=1
