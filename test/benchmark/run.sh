@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs missing packages, builds and runs the benchmarks, prints tables and writes three plots.
+# Installs missing packages, builds and runs the benchmarks, prints tables and writes four plots.
 # Takes about forty minutes.  Run it on an idle machine.
 #   --quick      small meshes only, a minute
 #   --patient    also run CGAL's exact distances and as-rigid-as-possible maps if they take minutes
@@ -29,7 +29,7 @@ for argument in "$@"; do
   esac
 done
 [ ${#programs[@]} -gt 0 ] ||
-  programs=(accuracy speed exact sampling remeshing surfels logmap decal flattening base wavelets transport
+  programs=(accuracy error_distribution speed exact sampling remeshing surfels logmap decal flattening base wavelets transport
             transport_bounds transport_family transport_claims regions flows barycenters volumes)
 
 build=${BUILD:-build/benchmark}
@@ -51,6 +51,7 @@ for program in "${programs[@]}"; do
   arguments=("${options[@]}")
   case $program in
     accuracy) arguments+=("$build/convergence.svg") ;;
+    error_distribution) arguments+=("$build/error_distribution.svg") ;;
     wavelets) arguments+=("$build/rate_distortion.svg") ;;
     exact) arguments+=("${patient[@]}" "$build/trade_off.svg") ;;
     flattening) arguments+=("${patient[@]}") ;;
