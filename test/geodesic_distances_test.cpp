@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 
+#include <CGAL/Geodesic_processing/geodesic_path.h>
+
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include "Array_surface.h"
 #include "Mesh_of.h"
+#include "meshes.h"
+#include "openmesh.h"
 
 #include <gtest/gtest.h>
 
@@ -339,6 +343,51 @@ TEST(Geodesic_distances, are_accurate_on_spherical_point_set)
   EXPECT_LT(
       mean_relative_error(d, 0.1, [&](Index i) { return great_circle(points[i], points[100]); }),
       0.01);
+}
+
+// Compares the default method and the default path with closed forms, on a cone and on a saddle
+// whose coordinates are scaled.
+template <typename Any_mesh>
+void expect_exact_default(double scale, double tolerance)
+{
+  const Index n = 8;
+  for(const double total : {1.5 * pi, 3. * pi})
+  {
+    Triangulation surface = cone(n, 4, total);
+    for(Point& p : surface.points)
+      for(double& coordinate : p)
+        coordinate *= scale;
+    Numbered<Any_mesh> numbered;
+    fill(numbered, surface);
+    std::map<typename Numbered<Any_mesh>::Vertex, double> distances;
+    GP::geodesic_distances(numbered.mesh, numbered.vertices[1],
+                           boost::make_assoc_property_map(distances));
+    for(Index i = 1; i < surface.points.size(); ++i)
+    {
+      const double exact =
+          scale * distance_on_cone(1., 1. + (i - 1) / n, (i - 1) % n * total / n, total);
+      EXPECT_NEAR(distances[numbered.vertices[i]], exact, tolerance * scale);
+      const auto path =
+          GP::geodesic_path(numbered.mesh, numbered.vertices[1], numbered.vertices[i]);
+      EXPECT_NEAR(path.length, exact, tolerance * scale);
+      EXPECT_LE(path.lower, path.length);
+    }
+  }
+}
+
+TEST(Geodesic_distances, default_is_exact_at_all_scales)
+{
+  // Some tens of round-off errors of distances below 10.
+  constexpr double tolerance = 1e-13;
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    expect_exact_default<Mesh>(scale, tolerance);
+    expect_exact_default<CGAL::Polyhedron_3<Kernel>>(scale, tolerance);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+    // Its coordinates have single precision.
+    expect_exact_default<OpenMesh::TriMesh_ArrayKernelT<>>(scale, 1e-5);
+#endif
+  }
 }
 
 } // namespace geodesic_distances_test
