@@ -163,8 +163,8 @@ bool Front::run(const std::vector<Front_source>& sources, const Front_limits& li
   initialize(m_state, sources);
   const bool is_finished = propagate(limits);
   discard_tentative_vertices();
-  if(m_state.triangles != m_state.surface)
-    bound_by_removed_edges(m_state);
+  if(m_state.has_directions() && !m_state.surface->is_cloud())
+    bound_by_edges(m_state);
   return is_finished;
 }
 

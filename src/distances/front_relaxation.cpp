@@ -89,7 +89,7 @@ void relax_all_edges(Front_state& front, Index vertex, Index flags)
   }
 }
 
-void bound_by_removed_edges(Front_state& front)
+void bound_by_edges(Front_state& front)
 {
   const Surface_arrays& surface = *front.surface;
   std::vector<Index> decreased;
@@ -109,11 +109,24 @@ void bound_by_removed_edges(Front_state& front)
     front.sources[to] = front.sources[from];
     decreased.push_back(to);
   };
+  const auto for_each_edge = [&](Index vertex, const auto& visit)
+  {
+    for(Index i = surface.ring_begin[vertex]; i < surface.ring_begin[vertex + 1]; ++i)
+    {
+      const Index corner = surface.ring[i], previous = previous_halfedge(corner);
+      visit(surface.corner[next_halfedge(corner)], surface.length[corner]);
+      visit(surface.corner[previous], surface.length[previous]);
+    }
+  };
   const std::size_t number_of_reached = front.reached.size();
   for(std::size_t i = 0; i < number_of_reached; ++i)
   {
     const Index v = front.reached[i];
-    if(front.known_distance && !(front.vertices[v].distance < (*front.known_distance)[v]))
+    // Its last correction may have been refused.
+    if(front.vertices[v].state >= max_corrections_over_budget * correction_unit)
+      for_each_edge(v, [&](Index end, double length) { relax_edge(end, v, length, false); });
+    if(front.triangles == front.surface ||
+       (front.known_distance && !(front.vertices[v].distance < (*front.known_distance)[v])))
       continue;
     const auto [begin, end] = front.intrinsic_triangulation->removed_edges(v);
     for(auto edge = begin; edge != end; ++edge)
@@ -123,12 +136,7 @@ void bound_by_removed_edges(Front_state& front)
   {
     const Index v = decreased.back();
     decreased.pop_back();
-    for(Index i = surface.ring_begin[v]; i < surface.ring_begin[v + 1]; ++i)
-    {
-      const Index corner = surface.ring[i], previous = previous_halfedge(corner);
-      relax_edge(v, surface.corner[next_halfedge(corner)], surface.length[corner], false);
-      relax_edge(v, surface.corner[previous], surface.length[previous], false);
-    }
+    for_each_edge(v, [&](Index end, double length) { relax_edge(v, end, length, false); });
   }
 }
 

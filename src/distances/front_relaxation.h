@@ -159,10 +159,11 @@ void relax_along_edge(Front_state& front, Index vertex, const Fan_position& posi
 // Relaxes all vertices adjacent to a vertex with the lengths of the edges.  Requires fans.
 void relax_all_edges(Front_state& front, Index vertex, Index flags);
 
-// Decreases the distances of a front that has propagated on an intrinsic triangulation to those
-// along edges of the surface.  With known distances, also reaches the ends of the edges of all
-// vertices that improve theirs.
-void bound_by_removed_edges(Front_state& front);
+// Decreases the distances of a Euclidean front on a mesh to those along edges of the mesh: edges
+// that are not in the intrinsic triangulation, and edges to vertices whose corrections were refused.
+// With known distances, also reaches the ends of the former edges of all vertices that improve
+// theirs.
+void bound_by_edges(Front_state& front);
 
 } // namespace CGAL::Geodesic_processing::internal
 
