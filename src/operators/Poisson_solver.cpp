@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/operators/Poisson_solver.h>
 
-#include <utility>
-
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
@@ -26,7 +24,7 @@ Sparse_matrix pinned_laplacian(const Operators& operators,
   const Laplacian laplacian(operators);
   Sparse_matrix matrix = laplacian.matrix(operators);
   laplacian.assemble(operators, tensors, matrix);
-  return pinned(laplacian, std::move(matrix));
+  return pinned(laplacian, matrix);
 }
 
 } // namespace
@@ -42,7 +40,7 @@ Poisson_solver::Poisson_solver(const Operators& operators,
 
 Poisson_solver::Poisson_solver(const Laplacian& laplacian, Sparse_matrix matrix,
                                Elimination_order order)
-    : Sparse_solver(pinned(laplacian, std::move(matrix)), order)
+    : Sparse_solver(pinned(laplacian, matrix), order)
 {}
 
 } // namespace CGAL::Geodesic_processing::internal
