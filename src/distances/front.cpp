@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+#include "core/edges.h"
 #include "core/prefetch.h"
 #include "core/unfold.h"
 #include "distances/front_relaxation.h"
@@ -105,25 +106,19 @@ double distance_by_corners(const Front_state& front, const Surface_location& loc
 // closer to the source, or none.
 Index nearest_predecessor(const Front_state& front, Index v)
 {
-  const Surface_arrays& t = *front.surface;
   Index result = none;
   double min_distance = infinity;
-  const auto visit = [&](Index neighbor, double length)
-  {
-    const double distance = front.vertices[neighbor].distance;
-    if(distance < front.vertices[v].distance && distance + length < min_distance &&
-       front.sources[neighbor] == front.sources[v])
-    {
-      min_distance = distance + length;
-      result = neighbor;
-    }
-  };
-  for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
-  {
-    const Index corner = t.ring[i];
-    visit(t.corner[next_halfedge(corner)], t.length[corner]);
-    visit(t.corner[previous_halfedge(corner)], t.length[previous_halfedge(corner)]);
-  }
+  for_each_edge(*front.surface, nullptr, v,
+                [&](Index neighbor, double length)
+                {
+                  const double distance = front.vertices[neighbor].distance;
+                  if(distance < front.vertices[v].distance && distance + length < min_distance &&
+                     front.sources[neighbor] == front.sources[v])
+                  {
+                    min_distance = distance + length;
+                    result = neighbor;
+                  }
+                });
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "distances/front_relaxation.h"
 
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include "core/edges.h"
 #include "mesh/Intrinsic_triangulation.h"
 
 namespace CGAL::Geodesic_processing::internal {
@@ -109,22 +110,14 @@ void bound_by_edges(Front_state& front)
     front.sources[to] = front.sources[from];
     decreased.push_back(to);
   };
-  const auto for_each_edge = [&](Index vertex, const auto& visit)
-  {
-    for(Index i = surface.ring_begin[vertex]; i < surface.ring_begin[vertex + 1]; ++i)
-    {
-      const Index corner = surface.ring[i], previous = previous_halfedge(corner);
-      visit(surface.corner[next_halfedge(corner)], surface.length[corner]);
-      visit(surface.corner[previous], surface.length[previous]);
-    }
-  };
   const std::size_t number_of_reached = front.reached.size();
   for(std::size_t i = 0; i < number_of_reached; ++i)
   {
     const Index v = front.reached[i];
     // Its last correction may have been refused.
     if(front.vertices[v].state >= max_corrections_over_budget * correction_unit)
-      for_each_edge(v, [&](Index end, double length) { relax_edge(end, v, length, false); });
+      for_each_edge(surface, nullptr, v,
+                    [&](Index end, double length) { relax_edge(end, v, length, false); });
     if(front.triangles == front.surface ||
        (front.known_distance && !(front.vertices[v].distance < (*front.known_distance)[v])))
       continue;
@@ -136,7 +129,8 @@ void bound_by_edges(Front_state& front)
   {
     const Index v = decreased.back();
     decreased.pop_back();
-    for_each_edge(v, [&](Index end, double length) { relax_edge(v, end, length, false); });
+    for_each_edge(surface, nullptr, v,
+                  [&](Index end, double length) { relax_edge(v, end, length, false); });
   }
 }
 

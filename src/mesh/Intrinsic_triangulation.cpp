@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+#include "core/edges.h"
 
 #include <algorithm>
 #include <mutex>
@@ -77,16 +78,6 @@ void Intrinsic_triangulation::find_removed_edges(const Surface_arrays& mesh)
   const Index n = Index(mesh.number_of_vertices());
   // The length of the shortest edge between the current vertex and each of its neighbors.
   std::vector<double> length(n, infinity);
-  const auto for_each_edge = [](const Surface_arrays& t, Index vertex, const auto& visit)
-  {
-    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
-    {
-      const Index corner = t.ring[i], previous = previous_halfedge(corner);
-      visit(t.corner[next_halfedge(corner)], t.length[corner]);
-      if(t.twin[previous] == none)
-        visit(t.corner[previous], t.length[previous]);
-    }
-  };
   m_removed_begin.reserve(n + 1);
   for(Index vertex = 0; vertex < n; ++vertex)
   {
@@ -95,15 +86,18 @@ void Intrinsic_triangulation::find_removed_edges(const Surface_arrays& mesh)
     const auto ring = mesh.ring.begin();
     if(std::none_of(ring + mesh.ring_begin[vertex], ring + mesh.ring_begin[vertex + 1], is_changed))
       continue;
-    for_each_edge(*m_triangles, vertex,
+    for_each_edge(*m_triangles, nullptr, vertex,
                   [&](Index end, double l) { length[end] = std::min(length[end], l); });
-    for_each_edge(mesh, vertex,
+    for_each_edge(mesh, nullptr, vertex,
                   [&](Index end, double l)
                   {
-                    if(!(length[end] <= l))
-                      m_removed_edges.push_back({end, l});
+                    if(length[end] <= l)
+                      return;
+                    m_removed_edges.push_back({end, l});
+                    length[end] = l; // an edge of two triangles is visited twice
                   });
-    for_each_edge(*m_triangles, vertex, [&](Index end, double) { length[end] = infinity; });
+    for(const Surface_arrays* const t : {&mesh, m_triangles.get()})
+      for_each_edge(*t, nullptr, vertex, [&](Index end, double) { length[end] = infinity; });
   }
   m_removed_begin.push_back(Index(m_removed_edges.size()));
 }
