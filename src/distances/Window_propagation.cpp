@@ -7,6 +7,7 @@
 #include "core/unfold.h"
 #include "distances/Window_propagator.h"
 #include "distances/obstacles.h"
+#include "mesh/degenerate_triangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,8 @@
 namespace CGAL::Geodesic_processing::internal {
 
 Window_propagation::Window_propagation(std::shared_ptr<const Surface_arrays> triangles)
-    : m_triangles(triangles), m_state(triangles, find_pseudo_sources(*triangles))
+    : m_triangles(without_degenerate_triangles(std::move(triangles))),
+      m_state(m_triangles, find_pseudo_sources(*m_triangles))
 {}
 
 bool Window_propagation::run(const std::vector<Front_source>& sources, const Front_limits& limits)

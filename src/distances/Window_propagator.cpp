@@ -22,9 +22,6 @@ constexpr double straight_angle_tolerance = 1e-8;
 // circulate around spikes or between coincident faces.  Then the halfedge stores the windows that
 // cross it.
 constexpr std::uint8_t max_untracked_crossings = 8;
-// If all vertices are on one line, all windows have equal distances and none dominates.  This
-// bounds their number.
-constexpr std::size_t max_known_windows = 1000;
 
 // Returns whether two corners of a vertex are in the same fan.
 bool are_in_same_fan(const Surface_arrays& t, Index entry_corner, Index other)
@@ -41,6 +38,25 @@ bool are_in_same_fan(const Surface_arrays& t, Index entry_corner, Index other)
     if(corner == other)
       return true;
   return false;
+}
+
+// Cuts off the parts of windows, from `first` on, that are dominated by other ones, and erases the
+// windows of which nothing is left.
+void trim_all(std::vector<Window>::iterator first, std::vector<Window>& windows,
+              std::vector<Window>::const_iterator first_other,
+              std::vector<Window>::const_iterator last_other, double min_length)
+{
+  const auto is_dominated = [&](Window& w)
+  {
+    for(double width = infinity; w.end - w.begin > min_length && w.end - w.begin < width;)
+    {
+      width = w.end - w.begin;
+      for(auto other = first_other; other != last_other; ++other)
+        trim_dominated(w, *other);
+    }
+    return !(w.end - w.begin > min_length);
+  };
+  windows.erase(std::remove_if(first, windows.end(), is_dominated), windows.end());
 }
 
 } // namespace
@@ -281,29 +297,16 @@ void Window_propagator::collect_windows(Index h)
     drop_dominated(h);
 }
 
-// Drops the windows that are dominated by windows that have crossed this halfedge before, and
+// Drops the parts of windows that are dominated by windows that have crossed this halfedge before, and
 // stores the others.
 void Window_propagator::drop_dominated(Index h)
 {
-  std::vector<Window>& known_windows = m_state.known_windows[h];
-  if(known_windows.size() > max_known_windows)
-    return m_state.windows.resize(1);
+  std::vector<Window>&crossing = m_state.windows, &known = m_state.known_windows[h];
   const double min_length = merge_tolerance * m_state.triangles->length[h];
-  std::size_t number_kept = 1;
-  for(std::size_t i = 1; i < m_state.windows.size(); ++i)
-  {
-    Window w = m_state.windows[i];
-    for(double width = infinity; w.end - w.begin > min_length && w.end - w.begin < width;)
-    {
-      width = w.end - w.begin;
-      for(const Window& other : known_windows)
-        trim_dominated(w, other);
-    }
-    if(w.end - w.begin > min_length)
-      m_state.windows[number_kept++] = w;
-  }
-  m_state.windows.resize(number_kept);
-  known_windows.insert(known_windows.end(), m_state.windows.begin() + 1, m_state.windows.end());
+  trim_all(crossing.begin() + 1, crossing, known.begin(), known.end(), min_length);
+  // A stored window that is dominated now has no effect.
+  trim_all(known.begin(), known, crossing.begin() + 1, crossing.end(), min_length);
+  known.insert(known.end(), crossing.begin() + 1, crossing.end());
 }
 
 // Returns the distance at a vertex beyond which no window is useful.

@@ -8,6 +8,8 @@
 #include <CGAL/Geodesic_processing/internal/paths/trace_straightest.h>
 #include "core/unfold.h"
 
+#include "mesh/Intrinsic_triangulation.h"
+
 #include "Array_surface.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <random>
 #include <thread>
 
 namespace Window_propagation_test {
@@ -829,6 +832,30 @@ TEST(Window_propagation, handles_needles_and_zero_length_edges)
                   d[surface.caller_vertex(t.corner[next_halfedge(h)])] +
                       t.length[h] * t.scale * (1. + round_off) + round_off);
     }
+  }
+}
+
+TEST(Window_propagation, distances_do_not_depend_on_triangulation)
+{
+  // Stretched triangles with bends, and the intrinsic Delaunay triangulation of the same surface.
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> height(-0.03, 0.03);
+  const Array_surface surface(grid(
+      12, 60,
+      [&](double u, double v) {
+        return Point{3. * u, v, height(random)};
+      },
+      0.24));
+  const Intrinsic_triangulation delaunay(surface.t());
+  ASSERT_FALSE(delaunay.is_empty());
+  Window_propagation on_mesh(surface.triangles()), on_delaunay(delaunay.triangles());
+  for(const Index source : {0u, 400u})
+  {
+    on_mesh.run({surface.source(source)});
+    on_delaunay.run({surface.source(source)});
+    for(Index i = 0; i < surface.size(); ++i)
+      // Each flip has round-off errors of 1e-16 in the lengths of edges of needles.
+      EXPECT_NEAR(on_mesh.distance(i), on_delaunay.distance(i), 1e-11) << i;
   }
 }
 

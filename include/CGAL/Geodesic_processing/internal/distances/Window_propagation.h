@@ -49,6 +49,8 @@ struct Bounded_path
 // The time of a query depends only on the visited triangles.  Copies share the triangles and may
 // run concurrently.
 //
+// Degenerate triangles get slightly longer edges first (without_degenerate_triangles()).
+//
 // Triangles of infinite slowness are obstacles.  They are removed from a copy of the arrays, and
 // the distances on this copy are exact.
 class CGAL_GEODESIC_PROCESSING_EXPORT Window_propagation
@@ -115,7 +117,7 @@ private:
   void limit_to_targets(const std::vector<Surface_location>& targets);
   Reverse_window_search& reverse_search() const;
 
-  std::shared_ptr<const Surface_arrays> m_triangles; // with obstacles
+  std::shared_ptr<const Surface_arrays> m_triangles; // with obstacles, not degenerate
   // #triangles: the slowness of the last query; empty if it is 1 everywhere.
   std::vector<double> m_slowness_map;
   std::vector<Front_source> m_sources; // of the last query, outside of obstacles

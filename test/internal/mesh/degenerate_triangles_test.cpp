@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/degenerate_triangles.h"
+
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+
+#include "Array_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace degenerate_triangles_test {
+
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// A square in which two vertices are on sides of their triangles.
+Triangulation flat_triangles()
+{
+  Triangulation result = square(8);
+  result.points[10] = {0.0625, 0., 0.};
+  result.points[30] = {0.375, 0.3125, 0.};
+  return result;
+}
+
+TEST(Degenerate_triangles, satisfy_triangle_inequality_afterwards)
+{
+  const Array_surface surface(flat_triangles());
+  const auto result = without_degenerate_triangles(surface.triangles());
+  ASSERT_NE(result, surface.triangles());
+  EXPECT_EQ(result->corner, surface.t().corner);
+  EXPECT_EQ(result->twin, surface.t().twin);
+  for(Index h = 0; h < result->corner.size(); ++h)
+  {
+    EXPECT_GT(result->length[next_halfedge(h)] + result->length[previous_halfedge(h)],
+              result->length[h]);
+    // A pass adds at most 1e-15 of the longest edge.
+    EXPECT_GE(result->length[h], surface.t().length[h]);
+    EXPECT_LT(result->length[h], surface.t().length[h] + 1e-14);
+    if(result->twin[h] != none)
+    {
+      EXPECT_EQ(result->length[result->twin[h]], result->length[h]);
+    }
+  }
+}
+
+TEST(Degenerate_triangles, other_meshes_are_not_copied)
+{
+  const Array_surface surface(square(8, 0.24));
+  EXPECT_EQ(without_degenerate_triangles(surface.triangles()), surface.triangles());
+}
+
+// The vertex v = (0, 0) is on the side AB of the triangle above it, which is joined to it by a flat
+// triangle.  Below v, the wedge DvE is missing, so that paths from D bend at v into all directions
+// between those of Dv and vB.
+TEST(Degenerate_triangles, paths_spread_from_vertex_on_an_edge)
+{
+  const Index A = 0, B = 1, v = 2, D = 3, E = 4, first = 5, last = 13;
+  Triangulation surface;
+  surface.points = {{-1., 0., 0.}, {1., 0., 0.}, {0., 0., 0.}, {-1., -1., 0.}, {1., -1., 0.}};
+  for(Index i = first; i <= last; ++i)
+    surface.points.push_back({1. - 0.25 * (i - first), 1., 0.});
+  surface.corners = {v, A, D, B, v, E, B, A, v, A, B, first};
+  for(Index i = first; i < last; ++i)
+    surface.corners.insert(surface.corners.end(), {A, i, i + 1});
+  const Array_surface arrays(surface);
+  Window_propagation windows(arrays.triangles());
+  windows.run({arrays.source(D)});
+  for(Index i = 0; i < surface.points.size(); ++i)
+  {
+    const Point& p = surface.points[i];
+    const double expected =
+        p[0] <= p[1] ? std::hypot(p[0] + 1., p[1] + 1.) : std::sqrt(2.) + std::hypot(p[0], p[1]);
+    // The flat triangle has a height of sqrt(1e-15) times its longest edge.
+    EXPECT_NEAR(arrays.scale() * windows.distance(arrays.vertex(i)), expected, 7e-8) << i;
+  }
+}
+
+} // namespace degenerate_triangles_test
