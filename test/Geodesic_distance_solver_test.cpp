@@ -306,6 +306,26 @@ TEST(Exact_geodesic_distance_solver, finds_all_shortest_paths)
   EXPECT_EQ(solver.shortest_paths(location_of(7, {0.2, 0.3, 0.5})).size(), 1u);
 }
 
+TEST(Exact_geodesic_distance_solver, rejects_invalid_relative_tolerances)
+{
+  Mesh mesh = mesh_of(square(4));
+  GP::Geodesic_distance_solver<Mesh> solver(mesh);
+  for(const double tolerance : {-1., std::nan("")})
+    EXPECT_THROW(solver.compute(Vertex(0), GP::parameters::relative_tolerance(tolerance)),
+                 GP::Invalid_argument_error);
+  // With speeds, the default method is a front.
+  auto speed = mesh.add_property_map<Face, double>("f:speed", 1.).first;
+  speed[Face(3)] = 2.;
+  EXPECT_THROW(solver.compute(Vertex(0), GP::parameters::relative_tolerance(0.1).speed_map(speed)),
+               GP::Unsupported_surface_error);
+  GP::Geodesic_distance_solver<Mesh, GP::Euclidean_front> front(mesh);
+  EXPECT_THROW(front.compute(Vertex(0), GP::parameters::relative_tolerance(0.1)),
+               GP::Unsupported_surface_error);
+  solver.compute(Vertex(0), GP::parameters::relative_tolerance(0.1));
+  EXPECT_THROW(solver.departure(Vertex(20)), GP::Unsupported_surface_error);
+  EXPECT_THROW(solver.shortest_paths(Vertex(20)), GP::Unsupported_surface_error);
+}
+
 TEST(Exact_geodesic_distance_solver, departures_match_directions_in_plane)
 {
   const Triangulation plane = square(16, 0.24);

@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <limits>
 #include <map>
 
@@ -386,6 +388,51 @@ TEST(Geodesic_distances, default_is_exact_at_all_scales)
 #ifdef GEODESIC_PROCESSING_HAS_OPENMESH
     // Its coordinates have single precision.
     expect_exact_default<OpenMesh::TriMesh_ArrayKernelT<>>(scale, 1e-5);
+#endif
+  }
+}
+
+// Compares bounds with exact distances on a sphere whose coordinates are scaled.
+template <typename Any_mesh>
+void expect_bounds_contain_distances(double scale)
+{
+  Triangulation sphere = jittered(icosphere(4), 0.1);
+  for(Point& p : sphere.points)
+    for(double& coordinate : p)
+      coordinate *= scale;
+  Numbered<Any_mesh> numbered;
+  fill(numbered, sphere);
+  GP::Geodesic_distance_solver<Any_mesh> exact(numbered.mesh), approximate(numbered.mesh);
+  exact.compute(numbered.vertices[7]);
+  const double tolerance = 1e-3;
+  approximate.compute(numbered.vertices[7], GP::parameters::relative_tolerance(tolerance));
+  double largest_gap = 0.;
+  for(const auto v : numbered.vertices)
+  {
+    const double distance = exact.distance(v), lower = approximate.lower(v),
+                 upper = approximate.upper(v);
+    EXPECT_EQ(exact.lower(v), distance);
+    EXPECT_EQ(exact.upper(v), distance);
+    // Round-off errors of some hundred sums.
+    EXPECT_LE(lower, distance * (1. + 1e-12));
+    EXPECT_GE(upper, distance * (1. - 1e-12));
+    EXPECT_LE(upper, lower * (1. + tolerance * (1. + 1e-6))); // errors are stored as floats
+    EXPECT_GE(approximate.distance(v), lower);
+    EXPECT_LE(approximate.distance(v), upper);
+    EXPECT_GE(approximate.path(v).length, lower * (1. - 1e-12));
+    largest_gap = std::max(largest_gap, upper - lower);
+  }
+  EXPECT_GT(largest_gap, 1e-4 * scale);
+}
+
+TEST(Geodesic_distances, relative_tolerance_gives_bounds_at_all_scales)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    expect_bounds_contain_distances<Mesh>(scale);
+    expect_bounds_contain_distances<CGAL::Polyhedron_3<Kernel>>(scale);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+    expect_bounds_contain_distances<OpenMesh::TriMesh_ArrayKernelT<>>(scale);
 #endif
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include "distances/obstacles.h"
 
 #include <utility>
@@ -41,12 +42,15 @@ Distance_engine::Distance_engine(Distance_method method,
 
 void Distance_engine::select(const Front_limits& limits)
 {
-  if(m_method != Distance_method::automatic || m_triangles->is_cloud())
-    return;
-  const bool is_exact = !limits.slowness || uniform_slowness(*limits.slowness);
-  if(is_exact != std::holds_alternative<Window_propagation>(m_kernel))
-    m_kernel = make_kernel(is_exact ? Distance_method::exact : Distance_method::euclidean_front,
-                           m_triangles);
+  if(m_method == Distance_method::automatic && !m_triangles->is_cloud())
+  {
+    const bool is_exact = !limits.slowness || uniform_slowness(*limits.slowness);
+    if(is_exact != std::holds_alternative<Window_propagation>(m_kernel))
+      m_kernel = make_kernel(is_exact ? Distance_method::exact : Distance_method::euclidean_front,
+                             m_triangles);
+  }
+  if(limits.relative_tolerance > 0. && !windows())
+    throw Unsupported_surface_error("A relative tolerance requires the method Exact.");
 }
 
 bool Distance_engine::run(const std::vector<Front_source>& sources, const Front_limits& limits)

@@ -159,7 +159,7 @@ void Window_goal::meet_sources_behind(Index h, const std::vector<Window>& window
     for(std::size_t k = 1; k < windows.size(); ++k)
     {
       const Window& window = windows[k];
-      if(window.weight == 0.f)
+      if(window.is_straight())
       {
         meet_straight(piece, rotated_back(p - begin, axis), p, window);
         continue;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/paths/path_to_sources.h>
 #include "core/unfold.h"
 #include "distances/Reverse_window_search.h"
 #include "distances/Window_propagator.h"
@@ -117,16 +119,37 @@ double distance_in_source_triangle(const Window_state& windows, const Source_pie
 
 } // namespace
 
-double Window_propagation::distance(const Surface_location& query) const
+double Window_propagation::distance(const Surface_location& location) const
+{
+  const Distance_bounds bounds = this->bounds(location);
+  return m_state.is_exact() ? bounds.lower : 0.5 * (bounds.lower + bounds.upper);
+}
+
+Distance_bounds Window_propagation::bounds(const Surface_location& query) const
 {
   const Surface_location location = outside_obstacles(query);
   if(const Index vertex = vertex_of(*m_state.triangles, location); vertex != none)
-    return distance(vertex);
+    return {lower(vertex), upper(vertex)};
   if(is_inside_obstacle(location))
-    return infinity;
+    return {};
   const std::lock_guard lock(m_reverse_search.mutex);
-  const double distance = this->reverse_search().find_shortest(m_state, location).distance;
-  return distance <= m_state.max_distance ? m_slowness * (distance + m_state.min_offset) : infinity;
+  // The lower bounds of the vertices bound the search, and give a lower bound.
+  const Meeting& meeting = reverse_search().find_shortest(m_state, location);
+  if(!(meeting.distance <= m_state.max_distance))
+    return {};
+  const double error = meeting.vertex == none ? 0.
+                                              : m_state.upper_bound(meeting.vertex) -
+                                                    m_state.vertices[meeting.vertex].distance;
+  const double lower = meeting.distance + m_state.min_offset;
+  return {m_slowness * lower, m_slowness * (lower + error)};
+}
+
+// Throws if the last query had a relative tolerance.
+void Window_propagation::require_exact() const
+{
+  if(!m_state.is_exact())
+    throw Unsupported_surface_error(
+        "This query requires distances with a relative tolerance of 0.");
 }
 
 Reverse_window_search& Window_propagation::reverse_search() const
@@ -142,6 +165,12 @@ Window_propagation::distances(const std::vector<Surface_location>& queries) cons
 {
   const Surface_arrays& t = *m_state.triangles;
   std::vector<double> result(queries.size(), infinity);
+  if(!m_state.is_exact())
+  {
+    std::transform(queries.begin(), queries.end(), result.begin(),
+                   [&](const Surface_location& location) { return distance(location); });
+    return result;
+  }
   std::vector<Source_piece> pieces; // the locations, in each of their triangles
   std::vector<std::size_t> query_of_piece;
   for(std::size_t i = 0; i < queries.size(); ++i)
@@ -181,6 +210,8 @@ Bounded_path Window_propagation::path(const Surface_location& query) const
   const Surface_location from = outside_obstacles(query);
   if(is_inside_obstacle(from))
     return {};
+  if(!m_state.is_exact())
+    return path_along_edges(from);
   std::vector<Surface_location> path;
   double length = 0.;
   if(const Index vertex = vertex_of(t, from); vertex == none)
@@ -202,11 +233,24 @@ Bounded_path Window_propagation::path(const Surface_location& query) const
   return shortened(path, length);
 }
 
+// Returns the locally shortest path that shortens the path along the predecessors.
+Bounded_path Window_propagation::path_along_edges(const Surface_location& from) const
+{
+  const double lower = bounds(from).lower;
+  if(lower == infinity)
+    return {};
+  return {path_to_sources(
+              *m_state.triangles, from, m_sources, [&](Index i) { return distance(i); },
+              [&](Index i) { return predecessor(i); }, [&](Index i) { return source(i); }),
+          lower};
+}
+
 Bounded_path Window_propagation::path_between(const Surface_location& from,
                                               const Surface_location& to, double max_length)
 {
   set_obstacles(nullptr);
   m_state.clear();
+  m_state.set_tolerance(0.);
   m_state.min_offset = 0.;
   m_state.max_distance = infinity;
   m_sources = {{{to}, 0., 0}};
@@ -238,6 +282,7 @@ Bounded_path Window_propagation::shortened(const std::vector<Surface_location>& 
 std::vector<std::vector<Surface_location>> Window_propagation::paths(const Surface_location& query,
                                                                      double tolerance) const
 {
+  require_exact();
   const Surface_location from = outside_obstacles(query);
   if(is_inside_obstacle(from))
     return {};
@@ -285,6 +330,7 @@ std::vector<std::vector<Surface_location>> Window_propagation::paths(const Surfa
 
 Departure Window_propagation::departure(const Surface_location& to) const
 {
+  require_exact();
   const Surface_arrays& t = *m_state.triangles;
   const std::vector<Surface_location> path = this->path(to).locations;
   Departure result;
@@ -308,6 +354,7 @@ Departure Window_propagation::departure(const Surface_location& to) const
 
 double Window_propagation::polar_angle_of_departure(Index vertex) const
 {
+  require_exact();
   const auto comes_from_vertex = [&]
   {
     return m_state.vertices[vertex].origin < m_state.vertices.size() &&

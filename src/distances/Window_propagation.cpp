@@ -27,6 +27,7 @@ bool Window_propagation::run(const std::vector<Front_source>& sources, const Fro
   for(const Surface_location& target : limits.targets)
     targets.push_back(outside_obstacles(target));
   m_state.clear();
+  m_state.set_tolerance(limits.relative_tolerance);
   m_state.min_offset = infinity;
   for(const Front_source& source : sources)
     m_state.min_offset = std::min(m_state.min_offset, source.offset / m_slowness);
@@ -62,6 +63,8 @@ bool Window_propagation::run(const std::vector<Front_source>& sources, const Fro
     if(m_state.vertices[vertex].distance <= m_state.max_distance)
       return false;
     m_state.vertices[vertex] = Window_state::Vertex{};
+    if(!m_state.is_exact())
+      m_state.upper[vertex] = infinity;
     return true;
   };
   m_state.reached.erase(std::remove_if(m_state.reached.begin(), m_state.reached.end(), is_too_far),

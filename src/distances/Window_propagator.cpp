@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include "core/unfold.h"
 #include "distances/Window_goal.h"
+#include "distances/approximate_windows.h"
 #include "distances/window_operations.h"
 
 #include <algorithm>
@@ -105,7 +106,11 @@ void Window_state::clear()
 {
   const Index number_of_halfedges = Index(triangles->corner.size());
   for(const Index vertex : reached)
+  {
     vertices[vertex] = Window_state::Vertex{};
+    if(!is_exact())
+      upper[vertex] = infinity;
+  }
   reached.clear();
   for(const Index h : crossed_halfedges)
     number_of_crossings[h] = 0;
@@ -115,6 +120,12 @@ void Window_state::clear()
     if(const std::size_t h = queue.pop().vertex; h < number_of_halfedges)
       for(const int list_index : {0, 1})
         pool.release(waiting[2 * h + list_index]);
+}
+
+void Window_state::set_tolerance(double tolerance)
+{
+  relative_tolerance = tolerance;
+  upper.resize(tolerance > 0. ? vertices.size() : 0, infinity);
 }
 
 bool Window_propagator::step()
@@ -130,12 +141,14 @@ bool Window_propagator::step()
   return true;
 }
 
-bool Window_propagator::relax(Index v, const Window_arrival& arrival, Index source)
+bool Window_propagator::relax(Index v, const Window_arrival& arrival, Index source, double error)
 {
   if(m_goal)
     m_goal->keep_arrival(v, arrival);
   Window_state::Vertex& vertex = m_state.vertices[v];
   const double distance = arrival.distance;
+  if(!m_state.is_exact() && distance <= m_state.max_distance)
+    m_state.upper[v] = std::min(m_state.upper[v], distance + error);
   if(!(distance < vertex.distance) || distance > m_state.max_distance)
     return false;
   if(m_goal && !m_goal->reach(v, distance))
@@ -181,7 +194,7 @@ void Window_propagator::relax_along_edge(Index corner, bool is_incoming)
   relax(t.corner[far_corner],
         {distance, is_on_axis ? Vec2{1., 0.} : corner_angle(t, far_corner),
          is_incoming || !is_on_axis ? far_corner : t.twin[corner], v},
-        m_state.vertices[v].source);
+        m_state.vertices[v].source, m_state.error(v));
 }
 
 // Emits windows from a vertex at which a shortest path may bend, into all directions whose angle to
@@ -256,7 +269,7 @@ void Window_propagator::emit_window(Index corner, double from, double to)
                       to < opening ? position_at(to) : 0.,
                       from > 0. ? position_at(from) : length,
                       t.corner[corner],
-                      1.f});
+                      m_state.error(t.corner[corner])});
 }
 
 // Moves the waiting windows of a halfedge that may be on a shortest path to m_state.windows, in the
@@ -289,12 +302,32 @@ void Window_propagator::collect_windows(Index h)
     m_state.pool.release(lists[k]);
   }
   m_state.windows.resize(std::size_t(stack_top - m_state.windows.data()) + 1);
+  if(!m_state.is_exact())
+    merge_similar_windows(h);
   if(m_state.number_of_crossings[h] == 0)
     m_state.crossed_halfedges.push_back(h);
   if(m_state.number_of_crossings[h] < max_untracked_crossings)
     ++m_state.number_of_crossings[h];
   else
     drop_dominated(h);
+}
+
+// Merges consecutive windows of one source, as far as the relative tolerance admits.
+void Window_propagator::merge_similar_windows(Index h)
+{
+  const double min_length = merge_tolerance * m_state.triangles->length[h];
+  std::vector<Window>& windows = m_state.windows;
+  std::size_t last = 0; // windows 1 .. last are merged
+  for(std::size_t i = 1; i < windows.size(); ++i)
+  {
+    Window w = windows[i];
+    for(; last > 0 && m_state.source_of(windows[last].origin) == m_state.source_of(w.origin) &&
+          merge_similar(windows[last], w, m_state.relative_tolerance, min_length);
+        --last)
+    {}
+    windows[++last] = w;
+  }
+  windows.resize(last + 1);
 }
 
 // Drops the parts of windows that are dominated by windows that have crossed this halfedge before, and
@@ -321,7 +354,7 @@ double Window_propagator::max_useful_distance(Index vertex) const
 bool Window_propagator::is_too_long(const Window& w, double max_by_begin, double max_by_end) const
 {
   const double max_length = m_state.max_distance - w.offset;
-  if(w.weight == 0.f)
+  if(w.is_straight())
     return -w.end * w.source[0] > max_by_begin || -w.begin * w.source[0] > max_by_end ||
            std::min(-w.begin * w.source[0], -w.end * w.source[0]) > max_length;
   const double to_begin = w.begin - w.source[0], to_end = w.end - w.source[0],
@@ -390,8 +423,8 @@ Window_propagator::Nearest_window Window_propagator::find_nearest(Index h, const
     Vec2 to_source;
     if(at_begin <= 0. && at_end >= 0.)
     {
-      to_source = w.weight == 0.f ? w.source : w.source - apex_point;
-      distance = w.offset + (w.weight == 0.f ? -dot(to_source, apex_point) : norm(to_source));
+      to_source = w.is_straight() ? w.source : w.source - apex_point;
+      distance = w.offset + (w.is_straight() ? -dot(to_source, apex_point) : norm(to_source));
       position = at_end > at_begin ? w.begin + (w.end - w.begin) * (-at_begin / (at_end - at_begin))
                                    : w.begin;
     }
@@ -419,13 +452,15 @@ void Window_propagator::relax_apex(Index h, const Vec2& apex_point, const Neares
       size > 0. ? rotated_back((1. / size) * nearest.to_source, (-1. / t.length[left]) * apex_point)
                 : Vec2{1., 0.};
   // A line that bends at an end of the halfedge has the vertex there as its origin.
-  Index origin = m_state.windows[nearest.index + 1].origin;
+  const Window& window = m_state.windows[nearest.index + 1];
+  Index origin = window.origin;
   const bool has_bend = nearest.to_source[1] == -apex_point[1];
   if(has_bend && nearest.position <= merge_tolerance * base)
     origin = t.corner[h];
   else if(has_bend && nearest.position >= base * (1. - merge_tolerance))
     origin = t.corner[next_halfedge(h)];
-  relax(t.corner[left], {nearest.distance, direction, left, origin}, m_state.source_of(origin));
+  relax(t.corner[left], {nearest.distance, direction, left, origin}, m_state.source_of(origin),
+        window.error());
 }
 
 // Enqueues the parts of the windows that leave through the left edge.  Lines that cross the line of

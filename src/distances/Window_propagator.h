@@ -39,7 +39,8 @@ public:
 private:
   void start_at_point(const Surface_location& location, Index source, double offset);
   void start_along(const Source_piece& piece);
-  bool relax(Index vertex, const Window_arrival& arrival, Index source);
+  // `error` is that of the window through which the path arrives.
+  bool relax(Index vertex, const Window_arrival& arrival, Index source, double error = 0.);
 
   void finalize_vertex(Index vertex);
   void relax_along_edge(Index corner, bool is_incoming);
@@ -62,6 +63,7 @@ private:
   void cross_to_left(Index h, Vec2 apex_point, std::size_t last, Nearest_window nearest);
   void cross_to_right(Index h, Vec2 apex_point, std::size_t first, Nearest_window nearest);
   void collect_windows(Index h);
+  void merge_similar_windows(Index h);
   void drop_dominated(Index h);
   double max_useful_distance(Index vertex) const;
   bool is_too_long(const Window& window, double max_by_begin, double max_by_end) const;

@@ -53,6 +53,7 @@ std::shared_ptr<const Surface_arrays> without_obstacles(const Surface_arrays& me
   result->corner = mesh.corner;
   result->twin = mesh.twin;
   result->length = mesh.length;
+  result->point = mesh.point;
   result->scale = mesh.scale;
   result->origin = mesh.origin;
   for(Index h = 0; h < mesh.corner.size(); ++h)

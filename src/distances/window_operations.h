@@ -22,16 +22,16 @@ constexpr double min_overlap_ratio = 0.6;
 // window's source to the apex, and negative if it is to the left.  The scale is arbitrary.
 inline double side_of_apex_line(const Window& window, double position, const Vec2& apex_point)
 {
-  return (position * double(window.weight) - window.source[0]) * apex_point[1] +
+  return (position * window.weight() - window.source[0]) * apex_point[1] +
          window.source[1] * (apex_point[0] - position);
 }
 
 // Reflects a window, so that its edge of this length runs in the opposite direction.
 inline Window mirror(Window w, double length)
 {
-  if(w.weight == 0.f)
+  if(w.is_straight())
     w.offset -= w.source[0] * length;
-  w.source[0] = length * double(w.weight) - w.source[0];
+  w.source[0] = length * w.weight() - w.source[0];
   const double begin = w.begin;
   w.begin = length - w.end;
   w.end = length - begin;
@@ -91,10 +91,11 @@ inline bool split_overlap(Window& a, Window& b, double min_length)
   { return std::abs(p - q) <= merge_tolerance * std::abs(p); };
   if(std::abs(a.source[0] - b.source[0]) <= merge_tolerance * std::abs(a.source[0]) + min_length &&
      std::abs(a.source[1] - b.source[1]) <= merge_tolerance * std::abs(a.source[1]) + min_length &&
-     is_equal(a.offset, b.offset) && a.weight == b.weight)
+     is_equal(a.offset, b.offset) && a.is_straight() == b.is_straight())
   {
     b.begin = std::min(a.begin, b.begin);
     b.end = std::max(a.end, b.end);
+    b.signed_error = a.error() > b.error() ? a.signed_error : b.signed_error;
     return false;
   }
   if(!(overlap_end - overlap_begin >

@@ -73,7 +73,7 @@ void Window_propagator::start_at_point(const Surface_location& location, Index s
                             0.,
                             length,
                             origin,
-                            1.f});
+                            0.f});
     }
   }
 }
@@ -132,7 +132,7 @@ void Window_propagator::start_along(const Source_piece& piece)
                             length - end,
                             length - begin,
                             origin,
-                            0.f});
+                            -0.f});
     }
   }
 }

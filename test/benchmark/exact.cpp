@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <random>
 
@@ -186,6 +187,49 @@ void add_bounded(Table& table, const std::string& name, const Mesh& mesh)
              format_fixed(1000. * *std::max_element(exact_times.begin(), exact_times.end()), 2)});
 }
 
+// Measures queries with a relative tolerance, and compares their bounds with exact distances.
+void add_tolerances(Table& table, const std::string& name, const Mesh& mesh)
+{
+  const auto domain = GP::make_domain(mesh);
+  const std::size_t n = num_vertices(mesh);
+  Solver<GP::Euclidean_front> front(domain);
+  Solver<GP::Exact> exact(domain);
+  constexpr double tolerances[] = {0., 1e-5, 1e-4, 1e-3, 1e-2};
+  std::vector<double> front_times, times[std::size(tolerances)];
+  double gap[std::size(tolerances)] = {}, error[std::size(tolerances)] = {};
+  std::size_t number_of_violations = 0;
+  for(const Vertex source : three_sources(n))
+  {
+    std::vector<double> distances(n);
+    front_times.push_back(cpu_seconds([&] { front.compute(source); }));
+    for(std::size_t i = 0; i < std::size(tolerances); ++i)
+    {
+      times[i].push_back(cpu_seconds(
+          [&] { exact.compute(source, GP::parameters::relative_tolerance(tolerances[i])); }));
+      for(const Vertex v : mesh.vertices())
+      {
+        double& distance = distances[std::size_t(v)];
+        if(i == 0)
+          distance = exact.distance(v);
+        if(!(distance > 0.))
+          continue;
+        const double lower = exact.lower(v), upper = exact.upper(v);
+        // Round-off errors are smaller.
+        if(lower > distance * (1. + 1e-11) || upper < distance * (1. - 1e-11))
+          ++number_of_violations;
+        gap[i] = std::max(gap[i], upper / lower - 1.);
+        error[i] = std::max(error[i], std::fabs(exact.distance(v) / distance - 1.));
+      }
+    }
+  }
+  for(std::size_t i = 0; i < std::size(tolerances); ++i)
+    table.add({name, std::to_string(n), format_significant(tolerances[i]),
+               format_fixed(1e6 * median(times[i]) / double(n), 2),
+               format_fixed(median(times[i]) / median(front_times), 1),
+               format_fixed(median(times[i]) / median(times[0]), 2), format_significant(gap[i]),
+               format_significant(error[i]), std::to_string(number_of_violations)});
+}
+
 // Plots the mean error of each method over its time: of a query, and of the first query with
 // set-up.
 class Error_time_trade_off
@@ -339,6 +383,19 @@ void print_bounded_queries(const Mesh& mesh)
   std::printf("Target: equal times on all meshes if equally many vertices are reached.\n\n");
 }
 
+void print_tolerances(const Mesh& mesh, const std::string& name, bool quick, bool patient)
+{
+  std::printf("Queries with a relative tolerance\n");
+  Table table({"mesh", "vertices", "tolerance", "microseconds per vertex", "/ Euclidean", "/ exact",
+               "largest gap", "largest error", "violations"});
+  add_tolerances(table, name, mesh);
+  add_tolerances(table, "sphere", icosphere(quick ? 4 : 7));
+  if(patient)
+    add_tolerances(table, "sphere", icosphere(8));
+  table.print();
+  std::printf("Target: no violation of the bounds.\n\n");
+}
+
 // Prints errors over times on `mesh` and on a sphere. Returns one panel of the plot for each.
 std::vector<Panel> print_trade_offs(Mesh& mesh, const std::string& name, unsigned sphere_level)
 {
@@ -379,6 +436,7 @@ int main(int argc, char* argv[])
   Mesh mesh = model ? *model : icosphere(quick ? 4 : 6);
   print_speed_ups(mesh);
   print_bounded_queries(mesh);
+  print_tolerances(mesh, model ? "scan" : "sphere", quick, patient);
   const std::vector<Panel> panels =
       print_trade_offs(mesh, model ? "Scan" : "Sphere", quick ? 4 : 5);
   if(!plot.empty())

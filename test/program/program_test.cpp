@@ -215,6 +215,10 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
     expect_failure(std::string(command) + " --method fast", 1,
                    "dijkstra, heat, spectral, emd and biharmonic");
   expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
+  expect_failure("distance square.ply --source 0 --relative-tolerance -1", 1, "negative");
+  expect_failure("distance square.ply --source 0 --relative-tolerance nan", 1, "negative");
+  expect_failure("distance square.ply --source 0 --relative-tolerance 1 --method heat", 1,
+                 "only the method exact");
   expect_failure("distance square.ply --source 0 --speed colours --strength -1", 1, "--strength");
   expect_failure("distance square.ply --source 0 --speed colours --strength nan", 1, "--strength");
   expect_failure("distance square.ply --source 0 --method heat --density-image a.png", 1, "speeds");
@@ -1220,6 +1224,28 @@ TEST_F(Program, distance_limit_leaves_vertices_unreached)
     EXPECT_EQ(std::isinf(values[static_cast<std::size_t>(i)]),
               std::hypot(i % 9 / 8., i / 9 / 8.) > 0.5 + 1e-12)
         << i;
+}
+
+TEST_F(Program, relative_tolerance_bounds_errors)
+{
+  std::ostringstream hills;
+  hills << "OFF\n400 722 0\n";
+  for(int i = 0; i < 400; ++i)
+    hills << i % 20 << ' ' << i / 20 << ' ' << std::sin(0.7 * (i % 20)) * std::cos(0.5 * (i / 20))
+          << '\n';
+  for(int i = 0; i < 380; ++i)
+    if(i % 20 < 19)
+      hills << "3 " << i << ' ' << i + 1 << ' ' << i + 21 << "\n3 " << i << ' ' << i + 21 << ' '
+            << i + 20 << '\n';
+  write("hills.off", hills.str());
+  json("distance hills.off --source 0 --values exact.txt");
+  json("distance hills.off --source 0 --relative-tolerance 0.01 --values approximate.txt");
+  const std::vector<double> exact = numbers("exact.txt"), approximate = numbers("approximate.txt");
+  ASSERT_EQ(exact.size(), approximate.size());
+  EXPECT_NE(exact, approximate);
+  // The value is the mean of two bounds.
+  for(std::size_t i = 0; i < exact.size(); ++i)
+    EXPECT_NEAR(approximate[i], exact[i], 0.01 * exact[i]) << i;
 }
 
 TEST_F(Program, doubling_speed_halves_distance)

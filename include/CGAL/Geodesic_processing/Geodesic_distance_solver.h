@@ -98,16 +98,21 @@ public:
   ///       and not negative; zero at obstacles.  If it is given at vertices or surfels, 1/speed of
   ///       a triangle is the mean of 1/speed at its corners}
   ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
+  ///   \cgalParamNBegin{relative_tolerance}
+  ///     \cgalParamDescription{a `double`, not negative.  If it is positive, `Exact` merges similar
+  ///       windows, and `lower()` and `upper()` differ by at most this fraction of `lower()`.  On
+  ///       smooth surfaces this takes a fifth of the time}
+  ///     \cgalParamDefault{0: exact distances} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
   ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the completed
   ///       fraction; if it returns false, the computation is canceled} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns false if the callback canceled the computation.  Then only vertices or surfels whose
   ///          distances were final are reached.
-  /// \throws Invalid_argument_error if there is no source, or if an offset, a location, a speed or
-  ///         the maximum distance is invalid
+  /// \throws Invalid_argument_error if there is no source, or if an offset, a location, a speed, the
+  ///         maximum distance or the relative tolerance is invalid
   /// \throws Unsupported_surface_error if a speed map is given and the method does not support
-  ///         speeds
+  ///         speeds, or if the relative tolerance is positive and the method is not `Exact`
   template <typename Sources, typename NamedParameters = internal::Default_parameters>
   bool compute(const Sources& sources, const NamedParameters& np = NamedParameters())
   {
@@ -130,11 +135,28 @@ public:
   {
     return scale() * m_engine.distance(m_domain.inner(location));
   }
+  /// Returns a certified lower bound of the exact polyhedral distance of a vertex, up to round-off
+  /// errors; +infinity if no source reaches it.  It equals `upper()` unless the computation had a
+  /// `relative_tolerance`; then `distance()` is the mean of both.
+  /// \throws Unsupported_surface_error if the last computation did not use `Exact`
+  double lower(Vertex vertex) const { return scale() * windows().lower(m_domain.index(vertex)); }
+  /// Returns a certified upper bound, as `lower()`.  It is the length of a path.
+  double upper(Vertex vertex) const { return scale() * windows().upper(m_domain.index(vertex)); }
+  /// Returns a certified lower bound of the distance of any location, as that of a vertex.
+  double lower(const Location& location) const
+  {
+    return scale() * windows().bounds(m_domain.inner(location)).lower;
+  }
+  /// Returns a certified upper bound of the distance of any location, as that of a vertex.
+  double upper(const Location& location) const
+  {
+    return scale() * windows().bounds(m_domain.inner(location)).upper;
+  }
   /// Writes the distance of each location of a range to an output iterator; +infinity if no source
   /// reaches it.
   ///
-  /// With `Exact`, the distance of a location inside a face takes a separate search, and this
-  /// function takes one more computation for all of them.
+  /// With `Exact`, the distance of a location inside a face takes a separate search.  Without a
+  /// relative tolerance, this function takes one more computation for all locations.
   template <typename Locations, typename OutputIterator>
   OutputIterator distances(const Locations& locations, OutputIterator out) const
   {
@@ -162,7 +184,8 @@ public:
     return result;
   }
   /// Returns the path from a vertex, surfel or location to its nearest source; empty if no source
-  /// reaches it.  With `Exact`, the default on meshes, its length equals the distance.
+  /// reaches it.  With `Exact`, the default on meshes, its length equals the distance.  With a
+  /// relative tolerance or another method, it is a locally shortest path.
   template <typename QueryLocation>
   Surface_path<Surface> path(const QueryLocation& from) const
   {
@@ -192,7 +215,8 @@ public:
   /// \param tolerance paths that are longer by at most this fraction of the distance count as
   ///        shortest, which compensates for round-off errors.  The excess length must be far
   ///        smaller than an edge.
-  /// \throws Unsupported_surface_error if the last computation did not use `Exact`
+  /// \throws Unsupported_surface_error if the last computation did not use `Exact` without a
+  ///         relative tolerance
   template <typename QueryLocation>
   std::vector<Surface_path<Surface>> shortest_paths(const QueryLocation& from,
                                                     double tolerance = 1e-9) const
@@ -205,7 +229,8 @@ public:
     return result;
   }
   /// Returns the departure of the shortest path to a vertex or location from its source.
-  /// \throws Unsupported_surface_error if the last computation did not use `Exact`
+  /// \throws Unsupported_surface_error if the last computation did not use `Exact` without a
+  ///         relative tolerance
   template <typename QueryLocation>
   Geodesic_departure<Surface> departure(const QueryLocation& to) const
   {

@@ -16,6 +16,7 @@ namespace CGAL::Geodesic_processing {
   NAME(maximum_distance)                                                                           \
   NAME(targets)                                                                                    \
   NAME(speed_map)                                                                                  \
+  NAME(relative_tolerance)                                                                         \
   NAME(source_label_map)                                                                           \
   NAME(predecessor_map)                                                                            \
   NAME(radius_map)                                                                                 \

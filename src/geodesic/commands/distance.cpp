@@ -23,6 +23,7 @@ struct Distance_options
   std::string method = "automatic";
   std::optional<std::size_t> basis_size;
   double max_distance = std::numeric_limits<double>::infinity();
+  double relative_tolerance = 0.;
   Speed_options speed_options;
 };
 
@@ -96,6 +97,7 @@ Distance_result compute_distances(const Surface_type& surface, const Distance_op
   Distance_solver<Surface_type> solver(domain, to_method(options.method));
   job.begin_stage("query");
   solver.compute(sources, GP::parameters::maximum_distance(options.max_distance)
+                              .relative_tolerance(options.relative_tolerance)
                               .callback(job.progress_callback("distance"))
                               .speed_map(speed_map<typename Domain::Vertex>(speed)));
   for(std::size_t i = 0; i < result.values.size(); ++i)
@@ -122,6 +124,10 @@ void check(const Distance_options& options)
   check_basis(options.method, options.basis_size);
   if(!(options.max_distance >= 0.))
     throw Usage_error("--limit: the distance must not be negative.");
+  if(!(options.relative_tolerance >= 0.))
+    throw Usage_error("--relative-tolerance: the tolerance must not be negative.");
+  if(options.relative_tolerance > 0. && options.method != "automatic" && options.method != "exact")
+    throw Usage_error("--relative-tolerance: only the method exact has a tolerance.");
   check(options.speed_options);
   if(options.speed_options.is_given() && options.method != "automatic" &&
      options.method != "exact" && options.method != "fast-marching" &&
@@ -182,6 +188,9 @@ void add_distance(CLI::App& program)
               "better (default 100)");
   command.add("--limit", options->max_distance, "D",
               "maximum distance; vertices beyond it are not reached");
+  command.add("--relative-tolerance", options->relative_tolerance, "R",
+              "admit errors of exact up to this fraction of each distance, which saves time on "
+              "fine meshes (default 0)");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_distance(*job, *options); });
 }

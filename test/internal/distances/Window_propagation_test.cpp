@@ -859,6 +859,143 @@ TEST(Window_propagation, distances_do_not_depend_on_triangulation)
   }
 }
 
+// Surfaces on which waves diverge, converge, bend around obstacles and meet.
+std::vector<Triangulation> surfaces_for_approximation()
+{
+  return {jittered(icosphere(4), 0.1), // waves converge behind the equator
+          grid(
+              40, 40,
+              [](double u, double v) {
+                return Point{u, v, 0.15 * std::sin(9. * u) * std::cos(7. * v)};
+              },
+              0.24),
+          square(20, 0.24), cylinder(200, 3, 1., 1e-3),
+          grid(
+              24, 24,
+              [](double u, double v) {
+                return Point{u, v, 0.05 * std::sin(1e5 * u + 3e4 * v)};
+              },
+              0.24)};
+}
+
+TEST(Window_propagation, relative_tolerance_gives_certified_bounds)
+{
+  for(const Triangulation& shape : surfaces_for_approximation())
+  {
+    const Array_surface surface(shape);
+    Window_propagation exact(surface.triangles()), approximate(surface.triangles());
+    for(const double tolerance : {1e-6, 1e-3, 0.1})
+      for(const Index source : {Index(0), surface.size() / 2})
+      {
+        exact.run({surface.source(source)});
+        Front_limits limits;
+        limits.relative_tolerance = tolerance;
+        approximate.run({surface.source(source)}, limits);
+        for(Index i = 0; i < surface.size(); ++i)
+        {
+          const double distance = exact.distance(i);
+          EXPECT_LE(approximate.lower(i), distance * (1. + round_off));
+          EXPECT_GE(approximate.upper(i), distance * (1. - round_off));
+          // Errors are stored as floats.
+          EXPECT_LE(approximate.upper(i), approximate.lower(i) * (1. + tolerance * (1. + 1e-6)));
+          EXPECT_EQ(approximate.distance(i), 0.5 * (approximate.lower(i) + approximate.upper(i)));
+        }
+      }
+  }
+}
+
+TEST(Window_propagation, without_tolerance_bounds_equal_distance)
+{
+  const Array_surface surface(icosphere(3));
+  Window_propagation windows(surface.triangles());
+  Front_limits limits;
+  limits.relative_tolerance = 0.1;
+  windows.run({surface.source(0)}, limits);
+  ASSERT_LT(windows.lower(50), windows.upper(50));
+  windows.run({surface.source(0)});
+  Window_propagation fresh(surface.triangles());
+  fresh.run({surface.source(0)});
+  for(Index i = 0; i < surface.size(); ++i)
+  {
+    EXPECT_EQ(windows.distance(i), fresh.distance(i));
+    EXPECT_EQ(windows.lower(i), windows.distance(i));
+    EXPECT_EQ(windows.upper(i), windows.distance(i));
+  }
+}
+
+TEST(Window_propagation, bounds_at_locations_contain_exact_distance)
+{
+  const Array_surface surface(jittered(icosphere(3), 0.1));
+  Window_propagation exact(surface.triangles()), approximate(surface.triangles());
+  // A point in a face, and a polyline.
+  std::mt19937 random(2);
+  const Front_source point = surface.source(random_location(surface.t(), random), 0.1),
+                     line = surface.line({0, 162, 42});
+  Front_limits limits;
+  limits.relative_tolerance = 0.01;
+  for(const Front_source& source : {point, line})
+  {
+    exact.run({source});
+    approximate.run({source}, limits);
+    std::vector<Surface_location> locations;
+    for(int i = 0; i < 50; ++i)
+      locations.push_back(random_location(surface.t(), random));
+    const std::vector<double> distances = approximate.distances(locations);
+    for(std::size_t i = 0; i < locations.size(); ++i)
+    {
+      const double distance = exact.distance(locations[i]);
+      const Distance_bounds bounds = approximate.bounds(locations[i]);
+      EXPECT_LE(bounds.lower, distance * (1. + round_off));
+      EXPECT_GE(bounds.upper, distance * (1. - round_off));
+      EXPECT_LE(bounds.upper, bounds.lower * (1. + 0.01 * (1. + 1e-6)));
+      EXPECT_EQ(distances[i], 0.5 * (bounds.lower + bounds.upper));
+      const Bounded_path path = approximate.path(locations[i]);
+      EXPECT_EQ(path.lower, bounds.lower);
+      // The offset of the source is no part of the path.
+      EXPECT_GE(path_length(surface.t(), path.locations) + source.offset,
+                bounds.lower * (1. - round_off));
+    }
+    EXPECT_THROW(approximate.paths(locations[0], 1e-9), Unsupported_surface_error);
+    EXPECT_THROW(approximate.departure(locations[0]), Unsupported_surface_error);
+    EXPECT_THROW(approximate.polar_angle_of_departure(5), Unsupported_surface_error);
+  }
+}
+
+TEST(Window_propagation, relative_tolerance_keeps_sources_apart_and_obstacles_closed)
+{
+  const Array_surface surface(square(16, 0.24));
+  Window_propagation exact(surface.triangles()), approximate(surface.triangles());
+  std::vector<double> slowness(surface.t().number_of_triangles(), 2.);
+  for(Index f = 0; f < slowness.size(); f += 7)
+    slowness[f] = infinity;
+  Front_limits limits;
+  limits.slowness = std::make_shared<const std::vector<double>>(slowness);
+  const std::vector<Front_source> sources = {surface.source(0, 0., 3), surface.source(200, 0.2, 5)};
+  exact.run(sources, limits);
+  limits.relative_tolerance = 1e-3;
+  approximate.run(sources, limits);
+  for(Index i = 0; i < surface.size(); ++i)
+  {
+    if(!(exact.distance(i) < infinity))
+    {
+      EXPECT_EQ(approximate.upper(i), infinity);
+      continue;
+    }
+    EXPECT_LE(approximate.lower(i), exact.distance(i) * (1. + round_off));
+    EXPECT_GE(approximate.upper(i), exact.distance(i) * (1. - round_off));
+    const Bounded_path path = approximate.path(surface.at(i));
+    for(std::size_t k = 1; k < path.locations.size(); ++k)
+    {
+      const Index triangle = common_triangle(surface.t(), path.locations[k - 1], path.locations[k]);
+      if(vertex_of(surface.t(), path.locations[k - 1]) == none &&
+         vertex_of(surface.t(), path.locations[k]) == none)
+      {
+        EXPECT_LT(slowness[triangle], infinity);
+      }
+    }
+  }
+}
+
 TEST(Window_propagation, terminates_on_needles_and_spikes)
 {
   // Two coincident thin faces that a geodesic crosses alternately, and spikes 1,000 times as high

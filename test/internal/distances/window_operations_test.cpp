@@ -12,8 +12,8 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-const Window circular = {{0.4, -1.5}, 0.7, 0.2, 0.9, 0, 1.f};
-const Window straight = {{0.6, -0.8}, 0.7, 0.2, 0.9, 0, 0.f};
+const Window circular = {{0.4, -1.5}, 0.7, 0.2, 0.9, 0, 0.f};
+const Window straight = {{0.6, -0.8}, 0.7, 0.2, 0.9, 0, -0.f};
 
 TEST(Window_operations, reflection_preserves_distances)
 {
@@ -48,7 +48,7 @@ TEST(Window_operations, clipped_window_has_the_same_source)
 
 TEST(Window_operations, overlap_is_split_at_equal_distances)
 {
-  Window a = {{0.2, -1.}, 0., 0., 0.9, 0, 1.f}, b = {{0.8, -1.1}, 0., 0.05, 1., 1, 1.f};
+  Window a = {{0.2, -1.}, 0., 0., 0.9, 0, 0.f}, b = {{0.8, -1.1}, 0., 0.05, 1., 1, 0.f};
   ASSERT_TRUE(split_overlap(a, b, 1e-13));
   // The position of equal distance is in both windows, so that no part of the minimum is lost.
   EXPECT_LE(a.distance(b.begin), b.distance(b.begin));

@@ -34,8 +34,8 @@ std::shared_ptr<const std::vector<double>> slowness(const Domain& domain,
 }
 
 // Converts the named parameters of a distance query (maximum distance, callback, targets, speed
-// map) to the limits of a front, in scaled units.  Throws Invalid_argument_error if the maximum
-// distance is negative or not a number.
+// map, relative tolerance) to the limits of a front, in scaled units.  Throws Invalid_argument_error
+// if the maximum distance or the tolerance is negative or not a number.
 template <typename Domain, typename NamedParameters>
 Front_limits limits(const Domain& domain, const NamedParameters& np)
 {
@@ -44,6 +44,9 @@ Front_limits limits(const Domain& domain, const NamedParameters& np)
   if(!(maximum >= 0.))
     throw Invalid_argument_error("The maximum distance is negative or not a number.");
   result.maximum_distance = maximum / domain.triangles()->scale;
+  result.relative_tolerance = parameter(np, internal_np::relative_tolerance, 0.);
+  if(!(result.relative_tolerance >= 0.))
+    throw Invalid_argument_error("The relative tolerance is negative or not a number.");
   result.callback = parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
   if constexpr(has_parameter<NamedParameters, internal_np::targets_t>)
     result.targets = locations(domain, parameter(np, internal_np::targets, none));

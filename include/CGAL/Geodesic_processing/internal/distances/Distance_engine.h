@@ -81,7 +81,8 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Distance_engine
 public:
   Distance_engine(Distance_method method, std::shared_ptr<const Surface_arrays> triangles);
 
-  // Selects the kernel that admits the speeds, if the method is automatic.  run() calls it.
+  // Selects the kernel that admits the speeds, if the method is automatic.  run() calls it.  Throws
+  // Unsupported_surface_error if there is a relative tolerance and the kernel is not exact.
   void select(const Front_limits& limits);
   // As those of Front.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});

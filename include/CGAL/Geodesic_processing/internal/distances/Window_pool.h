@@ -16,20 +16,29 @@ namespace CGAL::Geodesic_processing::internal {
 // An interval of a halfedge that is crossed by straight lines from one unfolded source (Mitchell,
 // Mount and Papadimitriou 1987).
 //
+// A window that replaces similar ones is approximate: distance() is at most the length of the paths
+// through it, and error() bounds the difference.
+//
 // Coordinates: the halfedge begins at the origin and runs along the first axis.  The triangle that
 // the window crosses next is above the halfedge, the source below it.
 struct Window
 {
-  Vec2 source;       // of a straight front: the unit vector towards the source
-  double offset;     // the distance at the source; of a straight front, that at the origin
-  double begin, end; // positions on the halfedge, in the unit of lengths
-  Index origin;      // a vertex that is the (pseudo-)source, or #vertices + a source piece
-  float weight;      // 1, or 0 for a straight front: the source is (source, weight), homogeneous
+  Vec2 source;        // of a straight front: the unit vector towards the source
+  double offset;      // the distance at the source; of a straight front, that at the origin
+  double begin, end;  // positions on the halfedge, in the unit of lengths
+  Index origin;       // a vertex that is the (pseudo-)source, or #vertices + a source piece
+  float signed_error; // the error, with a minus sign, also if it is zero, for a straight front
+
+  bool is_straight() const { return std::signbit(signed_error); }
+  // The source is (source, weight()), homogeneous.
+  double weight() const { return is_straight() ? 0. : 1.; }
+  // Paths through the window are longer than distance() by at most this length.
+  double error() const { return std::abs(signed_error); }
 
   // Returns the distance at a position on the halfedge.
   double distance(double position) const
   {
-    if(weight == 0.f)
+    if(is_straight())
       return offset - position * source[0];
     const double x = position - source[0];
     return offset + std::sqrt(x * x + source[1] * source[1]);

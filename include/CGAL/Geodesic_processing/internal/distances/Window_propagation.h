@@ -27,6 +27,12 @@ struct Departure
   double length = infinity; // without the offset of the source; infinite if there is no path
 };
 
+// A lower and an upper bound of a distance.
+struct Distance_bounds
+{
+  double lower = infinity, upper = infinity;
+};
+
 // A path, and a lower bound of the distance between its ends.
 struct Bounded_path
 {
@@ -51,6 +57,10 @@ struct Bounded_path
 //
 // Degenerate triangles get slightly longer edges first (without_degenerate_triangles()).
 //
+// With a relative tolerance, similar windows are merged (approximate_windows.h).  Lower and upper
+// bounds of the distances then differ by at most this fraction of the lower bound, and distance() is
+// their mean.  There are fewer windows: on smooth surfaces about one per edge.
+//
 // Triangles of infinite slowness are obstacles.  They are removed from a copy of the arrays, and
 // the distances on this copy are exact.
 class CGAL_GEODESIC_PROCESSING_EXPORT Window_propagation
@@ -66,20 +76,32 @@ public:
   // The results of the last query, in the unit of the arrays, as those of a Front.
   double distance(Index vertex) const
   {
+    return m_state.is_exact() ? lower(vertex) : 0.5 * (lower(vertex) + upper(vertex));
+  }
+  // Certified bounds of the distance, equal without a relative tolerance, up to round-off errors.
+  double lower(Index vertex) const
+  {
     return m_slowness * (m_state.vertices[vertex].distance + m_state.min_offset);
+  }
+  double upper(Index vertex) const
+  {
+    return m_slowness * (m_state.upper_bound(vertex) + m_state.min_offset);
   }
   Index source(Index vertex) const { return m_state.vertices[vertex].source; }
   Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const { return m_state.reached; }
-  // Returns the exact distance at a location.  Inside a face or edge, windows are propagated back
-  // from the location until they meet a source, or a vertex on a shortest path.
+  // Returns the distance at a location.
   double distance(const Surface_location& location) const;
-  // Returns the exact distances at many locations.  Takes as long as the query, and less than as
-  // many calls of distance() if there are hundreds of locations.
+  // Returns bounds of the distance at a location.  Inside a face or edge, windows are propagated back
+  // from the location until they meet a source, or a vertex on a shortest path.
+  Distance_bounds bounds(const Surface_location& location) const;
+  // Returns the distances at many locations.  Without a relative tolerance, takes as long as the
+  // query, and less than as many calls of distance() if there are hundreds of locations.
   std::vector<double> distances(const std::vector<Surface_location>& locations) const;
   // Returns the shortest path from a location to the nearest source, shortened by
   // shorten_geodesic().  It has no locations if no source reaches the location, or if round-off
-  // errors in degenerate triangles prevent the reconstruction.
+  // errors in degenerate triangles prevent the reconstruction.  With a relative tolerance, it is a
+  // locally shortest path.
   Bounded_path path(const Surface_location& from) const;
   // Returns a shortest path between two locations if it is shorter than `max_length`, otherwise no
   // locations.  `lower` is the length of the shortest path, at most `max_length`, minus round-off
@@ -88,7 +110,8 @@ public:
   Bounded_path path_between(const Surface_location& from, const Surface_location& to,
                             double max_length);
   // Returns all locally shortest paths to the sources whose length exceeds the distance by at most
-  // this fraction of it; at most 64 paths.  That fraction must be far shorter than an edge.
+  // this fraction of it; at most 64 paths.  That fraction must be far shorter than an edge.  Throws
+  // Unsupported_surface_error, as departure(), if the query had a relative tolerance.
   std::vector<std::vector<Surface_location>> paths(const Surface_location& from,
                                                    double tolerance) const;
   // Returns the first segment, at the source, of the shortest path to a location.
@@ -109,6 +132,8 @@ private:
     std::shared_ptr<Reverse_window_search> search;
   };
 
+  void require_exact() const;
+  Bounded_path path_along_edges(const Surface_location& from) const;
   void set_obstacles(const std::vector<double>* slowness);
   Surface_location outside_obstacles(const Surface_location& location) const;
   std::vector<Front_source> outside_obstacles(const std::vector<Front_source>& sources) const;

@@ -9,8 +9,10 @@
 #include <CGAL/Geodesic_processing/internal/distances/Window_pool.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -43,6 +45,9 @@ struct Source_piece
 //
 // Between two queries only the entries that `reached`, `queue` and `crossed_halfedges` list differ
 // from their defaults.
+//
+// With a relative tolerance, the distances of vertices are lower bounds, and `upper` holds upper
+// bounds.
 struct CGAL_GEODESIC_PROCESSING_EXPORT Window_state
 {
   struct Vertex : Window_arrival
@@ -57,6 +62,8 @@ struct CGAL_GEODESIC_PROCESSING_EXPORT Window_state
                std::shared_ptr<const std::vector<bool>> is_pseudo_source);
   // Resets everything that the last query changed, also a cancelled one; O(visited).
   void clear();
+  // Sets the relative tolerance of the next query; requires a cleared state.
+  void set_tolerance(double tolerance);
 
   // Returns the label of the source, and the distance, of the origin of windows.
   Index source_of(Index origin) const
@@ -70,11 +77,27 @@ struct CGAL_GEODESIC_PROCESSING_EXPORT Window_state
                                     : source_pieces[origin - vertices.size()].offset;
   }
 
+  // Returns by how much the upper bound of a vertex exceeds its distance, rounded up.
+  float error(Index vertex) const
+  {
+    return is_exact() ? 0.f
+                      : std::nextafter(float(upper[vertex] - vertices[vertex].distance),
+                                       std::numeric_limits<float>::infinity());
+  }
+  bool is_exact() const { return upper.empty(); }
+  // Returns an upper bound of the distance of a vertex.
+  double upper_bound(Index vertex) const
+  {
+    return is_exact() ? vertices[vertex].distance : upper[vertex];
+  }
+
   std::shared_ptr<const Surface_arrays> triangles;
   std::shared_ptr<const std::vector<bool>> is_pseudo_source; // #vertices: paths may bend here
   double max_edge_length = 0.;
 
   std::vector<Vertex> vertices; // #vertices
+  double relative_tolerance = 0.;
+  std::vector<double> upper; // #vertices; empty if the relative tolerance is 0
   std::vector<Index> reached;
   Vertex_queue queue; // halfedges, and #halfedges + vertex
 

@@ -29,6 +29,7 @@ struct Front_limits
   // Without that ring the mean error of the combined distances is 20 to 2,000 times larger on scans
   // and mechanical parts.
   const std::vector<double>* known_distance = nullptr;
+  double relative_tolerance = 0.;       // of windows; fronts do not support it
   std::function<bool(double)> callback; // receives the fraction done; returns false to cancel
 };
 
