@@ -56,12 +56,15 @@ struct Window_list
 };
 
 // Memory for arrays of windows, whose capacities are powers of two.  Released arrays are reused;
-// allocation takes O(1) amortized time.  Pointers are valid until the next allocation.
+// allocation takes O(1) amortized time.  The memory grows by blocks that are never copied: growth by
+// doubling would need almost twice the memory.  Pointers are valid as long as the pool.
 class Window_pool
 {
 public:
-  Window* begin(const Window_list& list) { return m_windows.data() + list.position; }
-  const Window* begin(const Window_list& list) const { return m_windows.data() + list.position; }
+  Window* begin(const Window_list& list)
+  {
+    return m_blocks[list.position / block_size].data() + list.position % block_size;
+  }
 
   // Returns an array for this number of windows.  Its size is 1, which marks it as used.
   Window_list allocate(std::size_t size)
@@ -71,10 +74,7 @@ public:
       ++result.capacity_log2;
     std::vector<Index>& free_list = m_free_lists[result.capacity_log2];
     if(free_list.empty())
-    {
-      result.position = Index(m_windows.size());
-      m_windows.resize(m_windows.size() + (std::size_t(1) << result.capacity_log2));
-    }
+      result.position = append(std::size_t(1) << result.capacity_log2);
     else
     {
       result.position = free_list.back();
@@ -105,7 +105,25 @@ public:
   }
 
 private:
-  std::vector<Window> m_windows;
+  static constexpr std::size_t block_size = 1024;
+
+  // Returns the position of new windows.  More than block_size windows have a larger block, which is
+  // followed by empty ones, so that positions remain multiples of block_size.
+  Index append(std::size_t number)
+  {
+    if(m_used % block_size + number > block_size || m_used == m_blocks.size() * block_size)
+    {
+      m_used = m_blocks.size() * block_size;
+      m_blocks.emplace_back(std::max(number, block_size));
+      m_blocks.resize(m_blocks.size() + (m_blocks.back().size() / block_size - 1));
+    }
+    const Index result = Index(m_used);
+    m_used += number;
+    return result;
+  }
+
+  std::vector<std::vector<Window>> m_blocks;
+  std::size_t m_used = 0; // the position behind the last array
   // By capacity_log2: positions of the released arrays.
   std::vector<std::vector<Index>> m_free_lists = std::vector<std::vector<Index>>(33);
 };
