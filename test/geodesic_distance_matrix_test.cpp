@@ -43,6 +43,25 @@ TEST(Geodesic_distance_matrix, contains_all_pair_distances)
       EXPECT_NEAR(d(i, j), distance(plane.points[queries[i]], plane.points[queries[j]]), rounding);
 }
 
+TEST(Geodesic_distance_matrix, accepts_relative_tolerance)
+{
+  const Mesh mesh = mesh_of(jittered(icosphere(4), 0.1));
+  const auto queries = some_vertices(mesh, 400);
+  constexpr double tolerance = 0.01;
+  const Eigen::MatrixXd exact = GP::geodesic_distance_matrix(mesh, queries),
+                        d = GP::geodesic_distance_matrix<GP::Automatic, CGAL::Parallel_tag>(
+                            mesh, queries,
+                            GP::parameters::relative_tolerance(tolerance).threads(2));
+  EXPECT_NE(d, exact);
+  // An entry is the mean of two bounds whose relative difference is at most the tolerance.
+  for(Eigen::Index i = 0; i < d.rows(); ++i)
+    for(Eigen::Index j = 0; j < d.cols(); ++j)
+      EXPECT_NEAR(d(i, j), exact(i, j), 0.51 * tolerance * exact(i, j));
+  EXPECT_THROW(GP::geodesic_distance_matrix<GP::Dijkstra>(
+                   mesh, queries, GP::parameters::relative_tolerance(tolerance)),
+               GP::Unsupported_surface_error);
+}
+
 TEST(Geodesic_distance_matrix, has_one_column_per_target)
 {
   const Triangulation plane = square(12, 0.24);

@@ -100,8 +100,8 @@ public:
   ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
   ///   \cgalParamNBegin{relative_tolerance}
   ///     \cgalParamDescription{a `double`, not negative.  If it is positive, `Exact` merges similar
-  ///       windows, and `lower()` and `upper()` differ by at most this fraction of `lower()`.  On
-  ///       smooth surfaces this takes a fifth of the time}
+  ///       windows, and `lower()` and `upper()` differ by at most this fraction of `lower()`, which
+  ///       `maximum_distance` bounds.  On fine smooth meshes this takes a fifth of the time}
   ///     \cgalParamDefault{0: exact distances} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
   ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the completed
