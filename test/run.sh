@@ -189,6 +189,8 @@ if step "build" build_release; then
   step "installed package" check_installed_package
 fi
 if [ $quick = 0 ] && step "sanitizer build" build_sanitizer; then
+  # To start the threads of OpenBLAS takes half of the time that a small sanitized process takes.
+  export OPENBLAS_NUM_THREADS=1
   step "tests, sanitized" run_tests $sanitizer $min_sanitized_tests
   if [ -d "$data/hostile" ]; then
     step "hostile files, sanitized" check_hostile_files "$data"/hostile/*
