@@ -28,7 +28,7 @@ Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays>
   case Distance_method::heat:
     return Kernel(std::in_place_type<Heat_solver>, std::move(triangles));
   default:
-    return Front(std::move(triangles), Front_kind::euclidean);
+    return Front(std::move(triangles), Front_kind::euclidean, Bisected_edges::long_edges);
   }
 }
 

@@ -39,7 +39,7 @@ void prefetch_around(const Front_state& front, Index vertex)
     return prefetch_lines(front.fans->splits.data() + first.split, 2);
   prefetch(front.triangles->ring.data() + first.ring);
   prefetch(&front.directions[vertex]);
-  if(front.point_source)
+  if(front.point_source && front.is_on_surface(vertex))
     prefetch(&front.surface->point[vertex]);
 }
 
@@ -124,32 +124,33 @@ Index nearest_predecessor(const Front_state& front, Index v)
 
 } // namespace
 
-Front::Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind)
+Front::Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind,
+             Bisected_edges bisected)
 {
   Front_state& front = m_state;
   front.kind = kind;
   front.surface = front.triangles = std::move(triangles);
   const Surface_arrays& t = *front.surface;
-  front.vertices.resize(t.number_of_vertices());
-  front.sources.resize(t.number_of_vertices(), none);
-  front.queue = Vertex_queue(t.number_of_vertices());
   if(kind == Front_kind::planar)
     front.fans = shared_vertex_fans(t, true);
-  if(kind != Front_kind::euclidean)
-    return;
-  front.directions.resize(front.vertices.size());
-  if(t.is_cloud())
-  {
+  if(kind == Front_kind::euclidean && t.is_cloud())
     front.components = std::make_shared<const std::vector<Index>>(triangle_components(t).first);
-    return;
+  else if(kind == Front_kind::euclidean)
+  {
+    // Circular fronts are inaccurate and slow on needles and caps.
+    front.intrinsic_triangulation = shared_intrinsic_triangulation(t, bisected);
+    if(front.intrinsic_triangulation->is_empty())
+      front.intrinsic_triangulation = nullptr;
+    else
+      front.triangles = front.intrinsic_triangulation->triangles();
+    front.circular_fans = front.fans = shared_vertex_fans(*front.triangles, false);
   }
-  // Circular fronts are inaccurate and slow on needles and caps.
-  front.intrinsic_triangulation = shared_intrinsic_triangulation(t);
-  if(front.intrinsic_triangulation->is_empty())
-    front.intrinsic_triangulation = nullptr;
-  else
-    front.triangles = front.intrinsic_triangulation->triangles();
-  front.circular_fans = front.fans = shared_vertex_fans(*front.triangles, false);
+  const std::size_t n = front.triangles->number_of_vertices();
+  front.vertices.resize(n);
+  front.sources.resize(n, none);
+  front.queue = Vertex_queue(n);
+  if(kind == Front_kind::euclidean)
+    front.directions.resize(n);
 }
 
 bool Front::run(const std::vector<Front_source>& sources, const Front_limits& limits)
@@ -160,6 +161,7 @@ bool Front::run(const std::vector<Front_source>& sources, const Front_limits& li
   discard_tentative_vertices();
   if(m_state.has_directions() && !m_state.surface->is_cloud())
     bound_by_edges(m_state);
+  separate_midpoints();
   return is_finished;
 }
 
@@ -167,12 +169,15 @@ bool Front::run(const std::vector<Front_source>& sources, const Front_limits& li
 void Front::begin_query(const Front_limits& limits)
 {
   Front_state& front = m_state;
-  for(const Index vertex : front.reached)
+  for(std::vector<Index>* const reached : {&front.reached, &front.reached_midpoints})
   {
-    front.vertices[vertex] = Front_vertex{};
-    front.sources[vertex] = none;
+    for(const Index vertex : *reached)
+    {
+      front.vertices[vertex] = Front_vertex{};
+      front.sources[vertex] = none;
+    }
+    reached->clear();
   }
-  front.reached.clear();
   front.queue.clear();
   front.corrected_vertices.clear();
   front.number_invalidated = 0;
@@ -261,6 +266,19 @@ void Front::discard_tentative_vertices()
   front.reached.erase(std::remove_if(front.reached.begin(), front.reached.end(), is_not_final),
                       front.reached.end());
   front.queue.clear();
+}
+
+// Moves the inserted vertices out of the list of reached vertices.
+void Front::separate_midpoints()
+{
+  Front_state& front = m_state;
+  if(front.is_on_surface(Index(front.vertices.size()) - 1))
+    return;
+  const auto first_midpoint =
+      std::stable_partition(front.reached.begin(), front.reached.end(),
+                            [&](Index vertex) { return front.is_on_surface(vertex); });
+  front.reached_midpoints.assign(first_midpoint, front.reached.end());
+  front.reached.erase(first_midpoint, front.reached.end());
 }
 
 Index Front::predecessor(Index v) const

@@ -114,6 +114,8 @@ void bound_by_edges(Front_state& front)
   for(std::size_t i = 0; i < number_of_reached; ++i)
   {
     const Index v = front.reached[i];
+    if(!front.is_on_surface(v))
+      continue;
     // Its last correction may have been refused.
     if(front.vertices[v].state >= max_corrections_over_budget * correction_unit)
       for_each_edge(surface, nullptr, v,

@@ -84,7 +84,7 @@ inline bool needs_invalidation(const Front_state& front, Index vertex, double co
 // straight line to the only point source, or minus infinity.
 inline double straight_bound(const Front_state& front, Index vertex)
 {
-  if(!front.point_source)
+  if(!front.point_source || !front.is_on_surface(vertex))
     return -infinity;
   return front.min_offset + straight_distance(front.surface->point[vertex], *front.point_source);
 }

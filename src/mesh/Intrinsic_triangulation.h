@@ -15,10 +15,11 @@ namespace CGAL::Geodesic_processing::internal {
 
 // The intrinsic Delaunay triangulation of a mesh, and the map from locations on the mesh to it.
 //
-// Both have the same vertices and the same metric.  A location is mapped by the flips in their
-// order: each flip that changes its triangle moves it to one of the two new triangles.  Its weights
-// stay nonnegative, because no areas are computed.  Thus needles and triangles of area zero need no
-// special case.  (Fisher and others 2007, "An algorithm for the construction of intrinsic Delaunay
+// Both have the same metric.  The vertices of the mesh come first; further vertices are midpoints
+// of edges.  A location is mapped by the flips and bisections in their order: each step that
+// changes its triangle moves it to one of the two new triangles.  Its weights stay nonnegative,
+// because no areas are computed.  Thus needles and triangles of area zero need no special case.
+// (Fisher and others 2007, "An algorithm for the construction of intrinsic Delaunay
 // triangulations", describe flips of meshes; locating points by the history of the flips is the
 // method of Guibas, Knuth and Sharir 1992.)
 class CGAL_GEODESIC_PROCESSING_EXPORT Intrinsic_triangulation
@@ -26,10 +27,12 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Intrinsic_triangulation
 public:
   using Segment = std::pair<Surface_location, Surface_location>;
 
-  // Flips the edges of a mesh, in time linear in the number of flips.
-  explicit Intrinsic_triangulation(const Surface_arrays& mesh);
+  // Flips and bisects the edges of a mesh, in time linear in the number of flips and O(k log k) for
+  // k bisections.
+  explicit Intrinsic_triangulation(const Surface_arrays& mesh,
+                                   Bisected_edges bisected = Bisected_edges::none);
 
-  // Returns whether no edge was flipped; then there are no triangles.
+  // Returns whether no edge was flipped or bisected; then there are no triangles.
   bool is_empty() const { return m_steps.empty(); }
   // Returns the triangles.  Two of them can have the same vertices, and one can have a vertex
   // twice.
@@ -43,7 +46,7 @@ public:
   std::vector<Segment> locate_segment(Index triangle, const std::array<double, 3>& begin,
                                       const std::array<double, 3>& end) const;
 
-  // An edge of the mesh, incident to a vertex, that is not in the triangulation.
+  // An edge of the mesh, incident to a vertex of the mesh, that is not in the triangulation.
   struct Removed_edge
   {
     Index vertex; // at the far end
@@ -57,27 +60,34 @@ public:
   }
 
 private:
-  // A flip, and the next flip of each of its two triangles, or none.
+  // A flip or a bisection, and the next step of each of its two new triangles, or none.
   struct Step
   {
-    Edge_flip flip;
+    Edge_flip flip; // of a bisection: `twin` is the halfedge from the midpoint to b
+    bool is_bisection;
     std::array<Index, 2> next; // of the triangle of flip.halfedge, and of that of flip.twin
   };
-  // A triangle between two of its flips.
+  // A triangle between two of its steps.
   struct Place
   {
     Index triangle;
     Index next_step;
   };
 
+  void append(const std::vector<Edge_flip>& flips);
+  void append(const std::vector<Bisection>& bisections);
+  void link_steps(std::size_t number_of_triangles);
   void find_removed_edges(const Surface_arrays& mesh);
   Place first_place(Index triangle) const { return {triangle, m_first_step[triangle]}; }
+  static double side(const Step& step, Index triangle, const std::array<double, 3>& weights);
+  Place follow_flip(const Step& step, Index triangle, bool is_beyond,
+                    std::array<double, 3>& weights) const;
   Place follow(const Place& place, bool is_beyond, std::array<double, 3>& weights) const;
 
   std::shared_ptr<const Surface_arrays> m_triangles;
   std::vector<Step> m_steps;
-  std::vector<Index> m_first_step;    // #triangles; none if the triangle was not changed
-  std::vector<Index> m_removed_begin; // #vertices + 1: begin of the edges of each vertex
+  std::vector<Index> m_first_step; // #triangles of the mesh; none if the triangle was not changed
+  std::vector<Index> m_removed_begin; // #vertices of the mesh + 1: begin of the edges of each
   std::vector<Removed_edge> m_removed_edges;
 };
 
@@ -85,7 +95,7 @@ private:
 // result. The mesh must not change afterwards.  Thread-safe.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const Intrinsic_triangulation>
-shared_intrinsic_triangulation(const Surface_arrays& mesh);
+shared_intrinsic_triangulation(const Surface_arrays& mesh, Bisected_edges bisected);
 
 } // namespace CGAL::Geodesic_processing::internal
 

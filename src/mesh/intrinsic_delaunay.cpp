@@ -5,6 +5,8 @@
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <algorithm>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -87,6 +89,34 @@ Edge_flip flip(Surface_arrays& t, Index h)
   return result;
 }
 
+// Replaces a triangle abc by amc and mbc; ab is the given halfedge.  The twins of am and mb are
+// left to the caller.  Returns mb.
+Index bisect(Surface_arrays& t, Index h, Index midpoint)
+{
+  const Index bc = next_halfedge(h), ca = previous_halfedge(h);
+  const double half_length = t.length[h] / 2.;
+  const double median = norm(apex(t, h) - Vec2{half_length, 0.});
+  const Index mb = Index(t.corner.size()) + h % 3;
+  const Index new_bc = next_halfedge(mb), cm = previous_halfedge(mb);
+  t.corner.resize(t.corner.size() + 3);
+  t.twin.resize(t.corner.size(), none);
+  t.length.resize(t.corner.size());
+  t.corner[mb] = midpoint;
+  t.corner[new_bc] = t.corner[bc];
+  t.corner[cm] = t.corner[ca];
+  t.corner[bc] = midpoint;
+  t.length[new_bc] = t.length[bc];
+  t.length[h] = t.length[mb] = half_length;
+  t.length[bc] = t.length[cm] = median;
+  t.twin[new_bc] = t.twin[bc];
+  if(t.twin[new_bc] != none)
+    t.twin[t.twin[new_bc]] = new_bc;
+  t.twin[bc] = cm;
+  t.twin[cm] = bc;
+  t.twin[h] = none;
+  return mb;
+}
+
 } // namespace
 
 void mollify(Surface_arrays& t, double slack)
@@ -140,6 +170,49 @@ std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& t)
       }
   }
   return flips;
+}
+
+std::size_t bisect_long_edges(Surface_arrays& t, std::size_t number_of_vertices, double max_length,
+                              std::size_t max_vertices, std::vector<Bisection>& bisections)
+{
+  std::priority_queue<std::pair<double, Index>> queue;
+  const auto push = [&](Index h)
+  {
+    if(t.length[h] > max_length)
+      queue.push({t.length[h], h});
+  };
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(t.twin[h] == none || h < t.twin[h])
+      push(h);
+  while(!queue.empty() && number_of_vertices < max_vertices)
+  {
+    const auto [length, h] = queue.top();
+    queue.pop();
+    const Index twin = t.twin[h];
+    if(t.length[h] != length || (twin != none && twin / 3 == h / 3))
+      continue;
+    const Index midpoint = Index(number_of_vertices++);
+    const Index rest = bisect(t, h, midpoint);
+    bisections.push_back({h, rest / 3});
+    push(h);
+    push(next_halfedge(h));
+    push(next_halfedge(rest));
+    if(twin == none)
+    {
+      push(rest);
+      continue;
+    }
+    const Index twin_rest = bisect(t, twin, midpoint);
+    bisections.push_back({twin, twin_rest / 3});
+    t.twin[h] = twin_rest;
+    t.twin[twin_rest] = h;
+    t.twin[rest] = twin;
+    t.twin[twin] = rest;
+    push(twin);
+    push(next_halfedge(twin));
+    push(next_halfedge(twin_rest));
+  }
+  return number_of_vertices;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -34,6 +34,25 @@ struct Edge_flip
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& triangles);
 
+// A bisection of a triangle abc at the midpoint of its edge ab.
+struct Bisection
+{
+  Index halfedge;     // before: ab.  After: from a to the midpoint, in the triangle that keeps a
+  Index new_triangle; // keeps b
+};
+
+// Bisects edges of a mesh that are longer than `max_length`, the longest first, until none is left
+// or the number of vertices reaches `max_vertices`.  Changes all arrays like flip_to_delaunay();
+// the vertices of the midpoints are appended.  Halfedges keep their places in their triangles: in
+// the new triangle, the halfedge from the midpoint to b is in the place of ab.  Edges that have the
+// same triangle at both halfedges are kept.  Returns the number of vertices, and appends the
+// bisections in their order.  (Rivara 1984: since only longest edges are bisected, angles stay
+// bounded.)
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::size_t bisect_long_edges(Surface_arrays& triangles, std::size_t number_of_vertices,
+                              double max_length, std::size_t max_vertices,
+                              std::vector<Bisection>& bisections);
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_INTRINSIC_DELAUNAY_H

@@ -158,6 +158,10 @@ void print_quantiles(const char* title, const std::vector<Method_results>& resul
   table.print();
 }
 
+// Errors above 1,000 % are not drawn: the method failed, and the lines of the others need the
+// space.
+constexpr double max_drawn_error = 10.;
+
 // Returns the error that a share of the meshes exceeds, for shares from one to all meshes.
 Panel panel(const std::string& title, const std::vector<Method_results>& results,
             std::vector<double> Method_results::*values)
@@ -168,7 +172,7 @@ Panel panel(const std::string& title, const std::vector<Method_results>& results
     Series series{results[m].name, m, std::nan(""), {}};
     for(const double share : {1., 2., 5., 10., 20., 30., 50., 70., 90.})
       if(const double error = quantile(results[m].*values, 1. - share / 100.);
-         std::isfinite(error) && error > 1e-7)
+         error > 1e-7 && error <= max_drawn_error)
         series.points.push_back({share, error});
     result.series.push_back(series);
   }

@@ -28,16 +28,19 @@ struct Fast_marching
 /// selects a circular front: it crosses each triangle as a circle around an unfolded source. Each
 /// vertex stores the direction to its source.
 ///
-/// The triangles are those of the intrinsic Delaunay triangulation, which has the vertices and the
-/// metric of the mesh. \cgalCite{cgal:fsbs-acidt-07} Therefore needles and caps need no more time
-/// than other triangles. A solver computes this triangulation once.
+/// The triangles are those of an intrinsic Delaunay triangulation with the metric of the mesh.
+/// \cgalCite{cgal:fsbs-acidt-07} Therefore needles and caps need no more time than other
+/// triangles. Edges longer than three times the root of the mean area per vertex are bisected,
+/// because large triangles cause large errors. A mesh of few vertices counts as one of 500. A
+/// solver computes this triangulation once. Samples, cells and charts, which need many fronts, use
+/// it without bisected edges.
 ///
 /// If the surface between the source and a vertex unfolds to a plane, the distance is exact up to
 /// round-off errors. Elsewhere the method is of second order. Errors are some hundredths of a
-/// percent on common meshes, and up to some tenths on rough scans. On coarse CAD models the mean
-/// error is up to some percent, and single distances are wrong by a tenth: use `Exact` there. No
-/// distance exceeds the length of a path along edges. From a single point, none is below the length
-/// of the straight line.
+/// percent on common meshes, and up to some tenths on rough scans. On CAD models the mean error is
+/// up to one percent, and single distances are wrong by some percent. No distance exceeds the
+/// length of a path along edges. From a single point, none is below the length of the straight
+/// line.
 ///
 /// Circular fronts are due to Reimers \cgalCite{cgal:r-tvs-04}. Here the curvature of the circle is
 /// not assumed, but fitted to a direction and two distances. If a speed is given, the front is that

@@ -44,7 +44,8 @@ TEST_F(Distance_engines, match_their_kernels)
 {
   expect_same(Distance_method::dijkstra, Front(surface.triangles(), Front_kind::dijkstra));
   expect_same(Distance_method::fast_marching, Front(surface.triangles(), Front_kind::planar));
-  expect_same(Distance_method::euclidean_front, Front(surface.triangles(), Front_kind::euclidean));
+  expect_same(Distance_method::euclidean_front,
+              Front(surface.triangles(), Front_kind::euclidean, Bisected_edges::long_edges));
   expect_same(Distance_method::exact, Window_propagation(surface.triangles()));
   expect_same(Distance_method::heat, Heat_solver(surface.triangles()));
 }

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 #include "core/unfold.h"
 
 #include "Array_surface.h"
@@ -1143,6 +1144,145 @@ TEST(Front, is_exact_from_locations_on_needles)
                             [&](Index k) { return distance(plane.points[k], p); }),
               flat_tolerance);
   }
+}
+
+// A flat mesh whose triangles are up to 80 times wider on one side than on the other.
+Triangulation graded_square()
+{
+  return grid(
+      20, 20,
+      [](double u, double v) {
+        return Point{u * u * u * u, v, 0.};
+      },
+      0.2, 5);
+}
+
+TEST(Front, is_exact_in_plane_if_long_edges_are_bisected)
+{
+  const Triangulation plane = graded_square();
+  const Array_surface surface(plane);
+  Front front(surface.triangles(), Kind::euclidean, Bisected_edges::long_edges);
+  std::mt19937 random(1);
+  for(const Index source : {0, 20, 10 * 21 + 15, 440})
+  {
+    ASSERT_TRUE(front.run({surface.source(source)}));
+    EXPECT_LT(largest_error(surface.distances(front), [&](Index i)
+                            { return distance(plane.points[i], plane.points[source]); }),
+              flat_tolerance);
+    for(int i = 0; i < 100; ++i)
+    {
+      const Surface_location location = random_location(surface.t(), random);
+      const double expected =
+          norm(scaled_coordinates(surface.t(), location) -
+               scaled_coordinates(surface.t(), surface.source(source).polyline[0]));
+      EXPECT_NEAR(front.distance(location), expected, flat_tolerance);
+    }
+  }
+  // From the lower side, whose long edges are bisected.
+  std::vector<Index> lower_side(21);
+  std::iota(lower_side.begin(), lower_side.end(), Index(0));
+  ASSERT_TRUE(front.run({{surface.along(lower_side)}}));
+  EXPECT_LT(largest_error(surface.distances(front), [&](Index i) { return plane.points[i][1]; }),
+            flat_tolerance);
+}
+
+// A square plate of width 8 and height 1 with a round hole of radius 1.  As in CAD models, long
+// triangles join the n vertices of each circle and the corners of the plate.
+Triangulation plate_with_hole(Index n)
+{
+  Triangulation result;
+  for(const double z : {0., 1.})
+  {
+    for(Index i = 0; i < n; ++i)
+      result.points.push_back({std::cos(2. * pi * i / n), std::sin(2. * pi * i / n), z});
+    for(const auto& [x, y] : {std::pair(4., 4.), {-4., 4.}, {-4., -4.}, {4., -4.}})
+      result.points.push_back({x, y, z});
+  }
+  const Index upper = n + 4; // offset of the vertices of the upper face
+  const auto add_triangle = [&](Index a, Index b, Index c) {
+    result.corners.insert(result.corners.end(), {upper + a, upper + b, upper + c, a, c, b});
+  };
+  const auto add_wall = [&](Index a, Index b) {
+    result.corners.insert(result.corners.end(), {a, b, upper + b, a, upper + b, upper + a});
+  };
+  for(Index i = 0; i < n; ++i)
+  {
+    const Index next = (i + 1) % n, corner = n + 4 * i / n;
+    add_triangle(i, corner, next);
+    add_wall(next, i);
+    if(const Index next_corner = n + (4 * (i + 1) / n) % 4; next_corner != corner)
+    {
+      add_triangle(next, corner, next_corner);
+      add_wall(corner, next_corner);
+    }
+  }
+  return result;
+}
+
+TEST(Front, is_more_accurate_if_long_edges_are_bisected)
+{
+  const Array_surface surface(plate_with_hole(40));
+  const std::size_t n = surface.size();
+  Window_propagation exact(surface.triangles());
+  Front plain(surface.triangles(), Kind::euclidean),
+      bisected(surface.triangles(), Kind::euclidean, Bisected_edges::long_edges);
+  double plain_error = 0., bisected_error = 0.;
+  for(Index source = 0; source < n; source += 7)
+  {
+    exact.run({{{{none, source, {}}}}});
+    plain.run({{{{none, source, {}}}}});
+    bisected.run({{{{none, source, {}}}}});
+    double largest_distance = 0.;
+    for(Index v = 0; v < n; ++v)
+      largest_distance = std::max(largest_distance, exact.distance(v));
+    for(Index v = 0; v < n; ++v)
+      if(const double d = exact.distance(v); d > 0.05 * largest_distance)
+      {
+        plain_error = std::max(plain_error, std::abs(plain.distance(v) / d - 1.));
+        bisected_error = std::max(bisected_error, std::abs(bisected.distance(v) / d - 1.));
+      }
+  }
+  EXPECT_LT(bisected_error, 0.5 * plain_error);
+}
+
+TEST(Front, hides_midpoints_of_bisected_edges)
+{
+  const Array_surface surface(graded_square());
+  Front front(surface.triangles(), Kind::euclidean, Bisected_edges::long_edges), fresh = front;
+  ASSERT_TRUE(front.run({surface.source(200)}));
+  std::vector<Index> reached = front.reached();
+  std::sort(reached.begin(), reached.end());
+  std::vector<Index> all(surface.size());
+  std::iota(all.begin(), all.end(), Index(0));
+  EXPECT_EQ(reached, all);
+  for(const Index v : all)
+  {
+    const Index predecessor = front.predecessor(v);
+    if(predecessor != none)
+    {
+      ASSERT_LT(predecessor, surface.size());
+      EXPECT_LT(front.distance(predecessor), front.distance(v));
+    }
+  }
+  // Speeds require the triangles of the surface; the next query uses midpoints again.
+  Front_limits with_speeds;
+  with_speeds.slowness =
+      std::make_shared<std::vector<double>>(surface.t().number_of_triangles(), 2.);
+  ASSERT_TRUE(front.run({surface.source(3)}, with_speeds));
+  ASSERT_TRUE(front.run({surface.source(77)}));
+  ASSERT_TRUE(fresh.run({surface.source(77)}));
+  for(const Index v : all)
+    EXPECT_EQ(front.distance(v), fresh.distance(v));
+}
+
+TEST(Front, is_unchanged_without_long_edges)
+{
+  const Array_surface surface(jittered(icosphere(3), 0.05));
+  Front plain(surface.triangles(), Kind::euclidean),
+      bisected(surface.triangles(), Kind::euclidean, Bisected_edges::long_edges);
+  ASSERT_TRUE(plain.run({surface.source(5)}));
+  ASSERT_TRUE(bisected.run({surface.source(5)}));
+  EXPECT_EQ(surface.distances(plain), surface.distances(bisected));
 }
 
 TEST(Front, is_between_straight_line_and_edge_paths)

@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include "core/unfold.h"
 
 #include "Array_surface.h"
 
@@ -69,6 +70,79 @@ TEST(Intrinsic_triangulation, keeps_positions_in_plane)
                    scaled_coordinates(mesh, location)),
               round_off);
   }
+}
+
+// A flat mesh whose triangles are up to 50 times wider on one side than on the other.
+Triangulation graded_plane()
+{
+  return grid(
+      15, 15,
+      [](double u, double v) {
+        return Point{u * u * u * u, v, 0.};
+      },
+      0.2, 5);
+}
+
+// Returns the distance of two locations in the same triangle.
+double distance_in(const Surface_arrays& triangles, const Surface_location& p,
+                   const Surface_location& q)
+{
+  return distance_in_triangle(triangles, p.triangle, p.barycentric, q.barycentric);
+}
+
+TEST(Intrinsic_triangulation, keeps_distances_if_long_edges_are_bisected)
+{
+  const Array_surface surface(graded_plane());
+  const Surface_arrays& mesh = surface.t();
+  const Intrinsic_triangulation triangulation(mesh, Bisected_edges::long_edges);
+  const Surface_arrays& triangles = *triangulation.triangles();
+  ASSERT_GT(triangles.number_of_vertices(), mesh.number_of_vertices() + 20);
+  std::mt19937 random(1);
+  std::vector<std::pair<Surface_location, Surface_location>> pairs; // on the mesh, and its image
+  for(int i = 0; i < 2000; ++i)
+  {
+    const Surface_location location = canonical(mesh, random_location(mesh, random));
+    const Surface_location image = triangulation.locate(location);
+    expect_canonical(image);
+    for(const auto& [other, other_image] : pairs)
+      if(other_image.triangle == image.triangle)
+      {
+        EXPECT_NEAR(distance_in(triangles, image, other_image),
+                    norm(scaled_coordinates(mesh, location) - scaled_coordinates(mesh, other)),
+                    round_off);
+      }
+    pairs.emplace_back(location, image);
+  }
+  for(Index corner = 0; corner < mesh.corner.size(); ++corner)
+    EXPECT_EQ(vertex_of(triangles,
+                        triangulation.locate({corner / 3, none, barycentric_at_corner(corner)})),
+              mesh.corner[corner]);
+}
+
+TEST(Intrinsic_triangulation, pieces_of_segment_cover_it_if_long_edges_are_bisected)
+{
+  const Array_surface surface(graded_plane());
+  const Surface_arrays& mesh = surface.t();
+  const Intrinsic_triangulation triangulation(mesh, Bisected_edges::long_edges);
+  std::mt19937 random(2);
+  std::size_t number_of_pieces = 0;
+  for(int i = 0; i < 300; ++i)
+  {
+    const Surface_location begin = random_location(mesh, random);
+    Surface_location end = random_location(mesh, random);
+    end.triangle = begin.triangle;
+    double length = 0.;
+    for(const auto& [from, to] :
+        triangulation.locate_segment(begin.triangle, begin.barycentric, end.barycentric))
+    {
+      ++number_of_pieces;
+      EXPECT_EQ(from.triangle, to.triangle);
+      length += distance_in(*triangulation.triangles(), from, to);
+    }
+    EXPECT_NEAR(length, norm(scaled_coordinates(mesh, begin) - scaled_coordinates(mesh, end)),
+                round_off);
+  }
+  EXPECT_GT(number_of_pieces, 330u); // some segments cross edges
 }
 
 TEST(Intrinsic_triangulation, keeps_vertices)
@@ -187,8 +261,9 @@ TEST(Intrinsic_triangulation, handles_vertex_of_two_fans)
 TEST(Intrinsic_triangulation, is_shared_while_in_use)
 {
   const Array_surface surface(square(5, 0.24));
-  const auto first = shared_intrinsic_triangulation(surface.t());
-  EXPECT_EQ(shared_intrinsic_triangulation(surface.t()), first);
+  const auto first = shared_intrinsic_triangulation(surface.t(), Bisected_edges::none);
+  EXPECT_EQ(shared_intrinsic_triangulation(surface.t(), Bisected_edges::none), first);
+  EXPECT_NE(shared_intrinsic_triangulation(surface.t(), Bisected_edges::long_edges), first);
 }
 
 } // namespace Intrinsic_triangulation_test

@@ -99,6 +99,46 @@ TEST(Intrinsic_delaunay, handles_triangles_that_share_two_edges)
   EXPECT_NEAR(area(t), before, 1e-12);
 }
 
+// Bisects the edges longer than half of the longest one, and flips to Delaunay.
+void expect_bisected(const Triangulation& surface)
+{
+  Surface_arrays t = *Array_surface(surface).triangles();
+  const std::size_t number_of_vertices = t.number_of_vertices(), before = t.number_of_triangles();
+  const double total_area = area(t);
+  const double max_length = 0.5 * *std::max_element(t.length.begin(), t.length.end());
+  std::vector<Bisection> bisections;
+  const std::size_t new_number =
+      bisect_long_edges(t, number_of_vertices, max_length, 1000000, bisections);
+  EXPECT_GT(new_number, number_of_vertices);
+  EXPECT_EQ(t.number_of_triangles(), before + bisections.size());
+  EXPECT_EQ(std::set<Index>(t.corner.begin(), t.corner.end()).size(), new_number);
+  EXPECT_LE(*std::max_element(t.length.begin(), t.length.end()), max_length);
+  EXPECT_NEAR(area(t), total_area, 1e-10 * total_area); // thousands of round-off errors
+  flip_to_delaunay(t);
+  expect_delaunay(t);
+  EXPECT_NEAR(area(t), total_area, 1e-10 * total_area);
+}
+
+TEST(Intrinsic_delaunay, long_edges_are_bisected)
+{
+  for(const Triangulation& surface :
+      {jittered(icosphere(2), 0.08), square(15, 0.24), annulus(40, 2, 1., 3.),
+       cylinder(5, 40, 1., 0.4), cone(8, 5, 3. * pi), one_triangle(), tetrahedron()})
+    expect_bisected(surface);
+  expect_bisected({{{0., 0., 0.}, {3., 0., 0.}, {1.5, 0.2, 0.}}, {0, 1, 2, 0, 2, 1}});
+}
+
+TEST(Intrinsic_delaunay, bisection_stops_at_limit)
+{
+  Surface_arrays t = *Array_surface(square(4)).triangles();
+  std::vector<Bisection> bisections;
+  EXPECT_EQ(bisect_long_edges(t, 25, 1e-3, 40, bisections), 40u);
+  Surface_arrays unchanged = *Array_surface(square(4)).triangles();
+  bisections.clear();
+  EXPECT_EQ(bisect_long_edges(unchanged, 25, 2., 1000, bisections), 25u);
+  EXPECT_TRUE(bisections.empty());
+}
+
 TEST(Intrinsic_delaunay, mollification_is_minimal)
 {
   Triangulation surface = square(6, 0.24);

@@ -32,6 +32,13 @@ inline constexpr double min_edge_length = 0x1p-36;
 struct Vertex_fans;
 class Intrinsic_triangulation;
 
+// The edges of a mesh that an intrinsic triangulation bisects.
+enum class Bisected_edges
+{
+  none,
+  long_edges, // much longer than edges of equilateral triangles
+};
+
 // What all fronts on the same arrays share, as long as one of these fronts exists; see
 // vertex_fans.h and Intrinsic_triangulation.h.  A copy of the arrays starts without it, because its
 // lengths may be changed.
@@ -42,13 +49,14 @@ struct Shared_structures
   Shared_structures& operator=(const Shared_structures&)
   {
     vertex_fans = {};
-    intrinsic_triangulation = {};
+    intrinsic_triangulations = {};
     return *this;
   }
 
   std::mutex mutex;
   std::array<std::weak_ptr<const Vertex_fans>, 2> vertex_fans; // without and with split angles
-  std::weak_ptr<const Intrinsic_triangulation> intrinsic_triangulation;
+  // Without and with bisected edges.
+  std::array<std::weak_ptr<const Intrinsic_triangulation>, 2> intrinsic_triangulations;
 };
 
 // The connectivity and the edge lengths of a triangle mesh or of the triangles of a surfel cloud.

@@ -45,6 +45,8 @@ struct Front_state
   // Returns true if vertices store the direction to their source.  With speeds, a Euclidean front
   // is a planar one.
   bool has_directions() const { return kind == Front_kind::euclidean && !slowness; }
+  // Returns whether a vertex is one of the surface, not an inserted midpoint of an edge.
+  bool is_on_surface(Index vertex) const { return vertex < surface->number_of_vertices(); }
   // Returns the offset of the source of a reached vertex.
   double offset_at(Index vertex) const
   {
@@ -57,20 +59,23 @@ struct Front_state
   double slowness_in(Index triangle) const { return slowness ? (*slowness)[triangle] : 1.; }
 
   std::shared_ptr<const Surface_arrays> surface; // locations and speeds refer to it
-  // Of a Euclidean front on a mesh that is not intrinsic Delaunay; otherwise null.
+  // Of a Euclidean front on a mesh that is not intrinsic Delaunay or has long edges; otherwise
+  // null.
   std::shared_ptr<const Intrinsic_triangulation> intrinsic_triangulation;
   // Of a Euclidean front on a mesh: for circular fronts, and for straight ones if there are speeds.
   std::shared_ptr<const Vertex_fans> circular_fans, split_fans;
   std::shared_ptr<const std::vector<Index>> components; // #vertices; euclidean on clouds only
   Front_kind kind = Front_kind::dijkstra;
 
+  // Of the vertices of the surface and of those inserted by the intrinsic triangulation.
   std::vector<Front_vertex> vertices; // #vertices
   // #vertices, Euclidean fronts only: the unit vector to the source.  On a mesh it is in the plane
   // of the triangle of the vertex's `corner`; the first axis is the halfedge that leaves this
   // corner.  On a cloud it is in the tangent frame of the surfel.
   std::vector<Vec2> directions;
-  std::vector<Index> sources; // #vertices: position among the sources, or none
-  std::vector<Index> reached; // nearly in the order of distance
+  std::vector<Index> sources;           // #vertices: position among the sources, or none
+  std::vector<Index> reached;           // vertices of the surface, nearly in the order of distance
+  std::vector<Index> reached_midpoints; // inserted vertices
   Vertex_queue queue;
   std::size_t number_invalidated = 0; // number of invalidations in the running query
   // The final vertices whose distance has decreased while the current vertex propagates.

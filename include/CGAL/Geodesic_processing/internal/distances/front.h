@@ -41,7 +41,10 @@ struct Front_limits
 class CGAL_GEODESIC_PROCESSING_EXPORT Front
 {
 public:
-  Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind);
+  // A Euclidean front on a mesh can propagate on a triangulation with bisected long edges.  It is
+  // then more accurate, takes longer, and does not support known distances.
+  Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind,
+        Bisected_edges bisected = Bisected_edges::none);
 
   // Propagates the front from the sources.  Returns false if the callback cancelled it; then only
   // vertices that were final are reached.  The distances do not depend on the order of the sources.
@@ -64,6 +67,7 @@ private:
   bool propagate(const Front_limits& limits);
   void propagate_from(Index vertex);
   void discard_tentative_vertices();
+  void separate_midpoints();
 
   Front_state m_state;
 };
