@@ -98,6 +98,17 @@ inline Triangulation square(std::size_t n, double jitter = 0., unsigned seed = 1
       jitter, seed);
 }
 
+// A flat unit square of jittered triangles that become wider from left to right, up to 80 times.
+inline Triangulation graded_square(std::size_t n)
+{
+  return grid(
+      n, n,
+      [](double u, double v) {
+        return Point{u * u * u * u, v, 0.};
+      },
+      0.2, 5);
+}
+
 // Circles around an axis of n points each.  Circle j has the radius radius(j / number_of_rings) and
 // the height height(j / number_of_rings), and is rotated by j * twist steps.  Open at both ends.
 inline Triangulation rings(std::size_t n, std::size_t number_of_rings,

@@ -1146,20 +1146,9 @@ TEST(Front, is_exact_from_locations_on_needles)
   }
 }
 
-// A flat mesh whose triangles are up to 80 times wider on one side than on the other.
-Triangulation graded_square()
-{
-  return grid(
-      20, 20,
-      [](double u, double v) {
-        return Point{u * u * u * u, v, 0.};
-      },
-      0.2, 5);
-}
-
 TEST(Front, is_exact_in_plane_if_long_edges_are_bisected)
 {
-  const Triangulation plane = graded_square();
+  const Triangulation plane = graded_square(20);
   const Array_surface surface(plane);
   Front front(surface.triangles(), Kind::euclidean, Bisected_edges::long_edges);
   std::mt19937 random(1);
@@ -1247,7 +1236,7 @@ TEST(Front, is_more_accurate_if_long_edges_are_bisected)
 
 TEST(Front, hides_midpoints_of_bisected_edges)
 {
-  const Array_surface surface(graded_square());
+  const Array_surface surface(graded_square(20));
   Front front(surface.triangles(), Kind::euclidean, Bisected_edges::long_edges), fresh = front;
   ASSERT_TRUE(front.run({surface.source(200)}));
   std::vector<Index> reached = front.reached();

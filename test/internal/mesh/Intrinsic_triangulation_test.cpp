@@ -72,17 +72,6 @@ TEST(Intrinsic_triangulation, keeps_positions_in_plane)
   }
 }
 
-// A flat mesh whose triangles are up to 50 times wider on one side than on the other.
-Triangulation graded_plane()
-{
-  return grid(
-      15, 15,
-      [](double u, double v) {
-        return Point{u * u * u * u, v, 0.};
-      },
-      0.2, 5);
-}
-
 // Returns the distance of two locations in the same triangle.
 double distance_in(const Surface_arrays& triangles, const Surface_location& p,
                    const Surface_location& q)
@@ -92,7 +81,7 @@ double distance_in(const Surface_arrays& triangles, const Surface_location& p,
 
 TEST(Intrinsic_triangulation, keeps_distances_if_long_edges_are_bisected)
 {
-  const Array_surface surface(graded_plane());
+  const Array_surface surface(graded_square(15));
   const Surface_arrays& mesh = surface.t();
   const Intrinsic_triangulation triangulation(mesh, Bisected_edges::long_edges);
   const Surface_arrays& triangles = *triangulation.triangles();
@@ -121,7 +110,7 @@ TEST(Intrinsic_triangulation, keeps_distances_if_long_edges_are_bisected)
 
 TEST(Intrinsic_triangulation, pieces_of_segment_cover_it_if_long_edges_are_bisected)
 {
-  const Array_surface surface(graded_plane());
+  const Array_surface surface(graded_square(15));
   const Surface_arrays& mesh = surface.t();
   const Intrinsic_triangulation triangulation(mesh, Bisected_edges::long_edges);
   std::mt19937 random(2);
