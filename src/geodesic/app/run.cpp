@@ -10,10 +10,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <iterator>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace program {
@@ -27,6 +30,51 @@ int fail(Exit_code code, std::string message)
     c = c == '\n' || c == '\r' ? ' ' : c;
   std::fprintf(stderr, "geodesic: %s\n", message.c_str());
   return code;
+}
+
+struct Named_command
+{
+  std::string_view name;
+  void (*add)(CLI::App&);
+};
+
+constexpr Named_command commands[] = {
+    {"info", add_info},
+    {"distance", add_distance},
+    {"path", add_path},
+    {"logmap", add_logmap},
+    {"decal", add_decal},
+    {"flatten", add_flatten},
+    {"atlas", add_atlas},
+    {"matrix", add_matrix},
+    {"sample", add_sample},
+    {"voronoi", add_voronoi},
+    {"segment", add_segment},
+    {"remesh", add_remesh},
+    {"base", add_base},
+    {"semiregular", add_semiregular},
+    {"wavelet", add_wavelet},
+    {"surfels", add_surfels},
+    {"emd", add_emd},
+    {"plan", add_plan},
+    {"barycenter", add_barycenter},
+    {"feature-distance", add_feature_distance},
+    {"fuzzy", add_fuzzy},
+    {"streamlines", add_streamlines},
+    {"volume", add_volume},
+};
+
+// Adds the command of this name, or all commands if none has it (for help and error messages). Most
+// commands have many options: constructing the options of all commands takes longer than a command
+// on a small surface.
+void add_commands(CLI::App& program, std::string_view name)
+{
+  const auto named = std::find_if(std::begin(commands), std::end(commands),
+                                  [&](const Named_command& c) { return c.name == name; });
+  if(named != std::end(commands))
+    return named->add(program);
+  for(const Named_command& command : commands)
+    command.add(program);
 }
 
 // Returns the message of a parser error. The parser does not name a command that does not exist.
@@ -65,29 +113,7 @@ int run(int argc, char** argv)
       "geodesic");
   program.require_subcommand(1);
   program.set_version_flag("--version", "geodesic 0.1.0");
-  add_info(program);
-  add_distance(program);
-  add_path(program);
-  add_logmap(program);
-  add_decal(program);
-  add_flatten(program);
-  add_atlas(program);
-  add_matrix(program);
-  add_sample(program);
-  add_voronoi(program);
-  add_segment(program);
-  add_remesh(program);
-  add_base(program);
-  add_semiregular(program);
-  add_wavelet(program);
-  add_surfels(program);
-  add_emd(program);
-  add_plan(program);
-  add_barycenter(program);
-  add_feature_distance(program);
-  add_fuzzy(program);
-  add_streamlines(program);
-  add_volume(program);
+  add_commands(program, argc > 1 ? argv[1] : "");
   try
   {
     program.parse(argc, argv);
