@@ -60,4 +60,5 @@ int main(int argc, char* argv[])
   compare<GP::Euclidean_front>("Euclidean front", mesh, truth);
   compare<GP::Exact>("Exact, relative tolerance 0.001", mesh, truth, 0.001);
   compare<GP::Exact>("Exact", mesh, truth);
+  return EXIT_SUCCESS;
 }

@@ -46,4 +46,5 @@ int main(int argc, char* argv[])
   std::cout << "A radius of " << radius << " around a vertex contains " << number_of_neighbors / n
             << " vertices on average; a query takes " << 1e6 * timer.time() / n
             << " microseconds.\n";
+  return EXIT_SUCCESS;
 }

@@ -49,4 +49,5 @@ int main(int argc, char* argv[])
   std::cout << "The median time of 101 paths between random vertices of a mesh with "
             << mesh.number_of_vertices() << " vertices is " << milliseconds[50]
             << " ms; the maximum length is " << longest << ".\n";
+  return EXIT_SUCCESS;
 }
