@@ -192,20 +192,31 @@ TEST(Earth_movers_solver, respects_speeds_and_metrics)
     return solver.compute(from, to).value;
   };
   const auto speed = mesh.add_property_map<Face, double>("f:speed", 0.5).first;
-  EXPECT_NEAR(value(GP::parameters::speed_map(speed)), 2. * std::sqrt(2.), 4. * relative_gap);
+  EXPECT_NEAR(value(GP::parameters::face_speed_map(speed)), 2. * std::sqrt(2.), 4. * relative_gap);
   // Lengths along x are doubled.
   const Eigen::Matrix3d longer = Eigen::Vector3d(4., 1., 1.).asDiagonal();
   const auto face_metric = mesh.add_property_map<Face, Eigen::Matrix3d>("f:metric", longer).first;
   const auto vertex_metric =
       mesh.add_property_map<Vertex, Eigen::Matrix3d>("v:metric", longer).first;
-  EXPECT_NEAR(value(GP::parameters::metric_map(face_metric)), std::sqrt(5.), 3. * relative_gap);
+  EXPECT_NEAR(value(GP::parameters::face_metric_map(face_metric)), std::sqrt(5.),
+              3. * relative_gap);
   EXPECT_NEAR(value(GP::parameters::metric_map(vertex_metric)), std::sqrt(5.), 3. * relative_gap);
-  EXPECT_NEAR(value(GP::parameters::metric_map(face_metric).speed_map(speed)), 2. * std::sqrt(5.),
-              6. * relative_gap);
+  EXPECT_NEAR(value(GP::parameters::face_metric_map(face_metric).face_speed_map(speed)),
+              2. * std::sqrt(5.), 6. * relative_gap);
+  // Vertices and faces both convert to the keys of a map of a vector.
+  std::vector<Eigen::Matrix3d> metrics, face_metrics;
+  for(const Vertex v : mesh.vertices())
+    metrics.push_back(vertex_metric[v] = (1. + mesh.point(v).x()) * longer);
+  for(const Face f : mesh.faces())
+    face_metrics.push_back(face_metric[f] = (1. + 0.1 * double(f % 7)) * longer);
+  EXPECT_EQ(value(GP::parameters::metric_map(CGAL::make_property_map(metrics))),
+            value(GP::parameters::metric_map(vertex_metric)));
+  EXPECT_EQ(value(GP::parameters::face_metric_map(CGAL::make_property_map(face_metrics))),
+            value(GP::parameters::face_metric_map(face_metric)));
   face_metric[Face(17)] = Eigen::Vector3d(1., 0., 1.).asDiagonal();
-  EXPECT_THROW(value(GP::parameters::metric_map(face_metric)), GP::Invalid_argument_error);
+  EXPECT_THROW(value(GP::parameters::face_metric_map(face_metric)), GP::Invalid_argument_error);
   speed[Face(17)] = -1.;
-  EXPECT_THROW(value(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
+  EXPECT_THROW(value(GP::parameters::face_speed_map(speed)), GP::Invalid_argument_error);
 }
 
 TEST(Earth_movers_solver, methods_agree)

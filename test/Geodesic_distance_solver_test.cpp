@@ -213,14 +213,14 @@ TEST(Default_geodesic_distance_solver, is_exact_unless_speeds_differ)
   Mesh copy = mesh;
   auto speed = copy.add_property_map<Face, double>("f:speed", 1.).first;
   speed[Face(20)] = 0.5;
-  solver.compute(Vertex(7), GP::parameters::speed_map(speed));
-  front.compute(Vertex(7), GP::parameters::speed_map(speed));
+  solver.compute(Vertex(7), GP::parameters::face_speed_map(speed));
+  front.compute(Vertex(7), GP::parameters::face_speed_map(speed));
   for(const Vertex v : mesh.vertices())
     EXPECT_EQ(solver.distance(v), front.distance(v));
   EXPECT_EQ(solver.path(Vertex(300)).length, front.path(Vertex(300)).length);
   EXPECT_THROW(solver.departure(Vertex(300)), GP::Unsupported_surface_error);
   EXPECT_THROW(solver.shortest_paths(Vertex(300)), GP::Unsupported_surface_error);
-  EXPECT_THROW(exact.compute(Vertex(7), GP::parameters::speed_map(speed)),
+  EXPECT_THROW(exact.compute(Vertex(7), GP::parameters::face_speed_map(speed)),
                GP::Unsupported_surface_error);
 }
 
@@ -242,7 +242,7 @@ TEST(Default_geodesic_distance_solver, is_exact_around_obstacles)
       speed[f] = 0.;
   }
   GP::Geodesic_distance_solver<Mesh> solver(mesh);
-  solver.compute(Vertex(0), GP::parameters::speed_map(speed));
+  solver.compute(Vertex(0), GP::parameters::face_speed_map(speed));
   const Vertex to(static_cast<Mesh::size_type>(n));
   const double expected = std::hypot(0.5, 0.7) + 0.1 + std::hypot(0.4, 0.7);
   EXPECT_NEAR(solver.distance(to), expected, 1e-12);
@@ -316,8 +316,9 @@ TEST(Exact_geodesic_distance_solver, rejects_invalid_relative_tolerances)
   // With speeds, the default method is a front.
   auto speed = mesh.add_property_map<Face, double>("f:speed", 1.).first;
   speed[Face(3)] = 2.;
-  EXPECT_THROW(solver.compute(Vertex(0), GP::parameters::relative_tolerance(0.1).speed_map(speed)),
-               GP::Unsupported_surface_error);
+  EXPECT_THROW(
+      solver.compute(Vertex(0), GP::parameters::relative_tolerance(0.1).face_speed_map(speed)),
+      GP::Unsupported_surface_error);
   GP::Geodesic_distance_solver<Mesh, GP::Euclidean_front> front(mesh);
   EXPECT_THROW(front.compute(Vertex(0), GP::parameters::relative_tolerance(0.1)),
                GP::Unsupported_surface_error);

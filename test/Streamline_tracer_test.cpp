@@ -170,7 +170,7 @@ TEST(Streamline_tracer, is_not_shortened_if_speeds_differ)
   for(const Face f : mesh.faces())
     if(mesh.point(mesh.target(mesh.halfedge(f))).y() > 0.5)
       speed[f] = 3.;
-  GP::Earth_movers_solver<Mesh> solver(mesh, GP::parameters::speed_map(speed));
+  GP::Earth_movers_solver<Mesh> solver(mesh, GP::parameters::face_speed_map(speed));
   solver.compute(Vertex(17 * 6 + 1), Vertex(17 * 6 + 15));
   const auto line = solver.streamlines()(Vertex(17 * 6 + 1));
   expect_line(line);

@@ -171,7 +171,7 @@ TEST(Transport_barycenter_solver, respects_speeds)
   auto speed = mesh.add_property_map<Face, double>("speed", 2.).first;
   const auto value = [&]
   {
-    return GP::Transport_barycenter_solver<Mesh>(mesh, GP::parameters::speed_map(speed))
+    return GP::Transport_barycenter_solver<Mesh>(mesh, GP::parameters::face_speed_map(speed))
         .compute(points)
         .value;
   };
@@ -203,7 +203,7 @@ TEST(Transport_barycenter_solver, writes_flows)
   for(const unsigned refinements : {0u, 1u})
   {
     GP::Transport_barycenter_solver<Mesh> solver(
-        mesh, GP::parameters::number_of_refinements(refinements).speed_map(speed));
+        mesh, GP::parameters::number_of_refinements(refinements).face_speed_map(speed));
     EXPECT_THROW(solver.write_flow(0, flow), GP::Invalid_argument_error);
     const auto cost = solver.compute(points);
     Kernel::Vector_3 center_of_mass(0., 0., 0.);

@@ -131,7 +131,7 @@ TEST(Farthest_point_sampling, density_follows_speed)
       put(speed, f, 0.2);
   Samples samples;
   GP::farthest_point_sampling(mesh, 104, std::back_inserter(samples),
-                              GP::parameters::speed_map(speed));
+                              GP::parameters::face_speed_map(speed));
   const auto left =
       std::count_if(samples.begin(), samples.end(),
                     [&](const auto& sample) { return point_of(mesh, sample)[0] < 0.5; });

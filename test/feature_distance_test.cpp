@@ -170,7 +170,7 @@ TEST(Feature_distance, accepts_speeds)
   auto found = vertex_map(mesh);
   GP::feature_distance(
       mesh, zero_set(mesh, [](const Kernel::Point_3& p) { return p.x() + 0.3 * p.y() - 0.61; }),
-      found, GP::parameters::speed_map(speed).tolerance(1e-8));
+      found, GP::parameters::face_speed_map(speed).tolerance(1e-8));
   for(const Vertex v : vertices(mesh))
     EXPECT_NEAR(found[v],
                 0.5 * std::abs(mesh.point(v).x() + 0.3 * mesh.point(v).y() - 0.61) /

@@ -602,9 +602,9 @@ TEST(Geodesic_delaunay_remeshing, throws_on_invalid_arguments)
   EXPECT_THROW(with(GP::parameters::first_samples(Vertex(25))), GP::Invalid_argument_error);
   const auto speed = plane.add_property_map<Face, double>("f:speed", 1.).first;
   put(speed, Face(3), 0.);
-  EXPECT_THROW(with(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
+  EXPECT_THROW(with(GP::parameters::face_speed_map(speed)), GP::Invalid_argument_error);
   put(speed, Face(3), std::nan(""));
-  EXPECT_THROW(with(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
+  EXPECT_THROW(with(GP::parameters::face_speed_map(speed)), GP::Invalid_argument_error);
   EXPECT_THROW(with(GP::parameters::sharp_angle(-1.)), GP::Invalid_argument_error);
   for(const double spacing : {-1., std::nan(""), GP::internal::infinity})
     EXPECT_THROW(with(GP::parameters::curve_spacing(spacing)), GP::Invalid_argument_error);

@@ -6,6 +6,7 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/property_map.h>
 
 #include "Array_surface.h"
 #include "Mesh_of.h"
@@ -156,7 +157,7 @@ TEST(Geodesic_distances, accept_vertex_and_face_speeds)
     speed[v] = 0.5;
   GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), original);
   GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), scaled_distance,
-                                            GP::parameters::speed_map(face_speed));
+                                            GP::parameters::face_speed_map(face_speed));
   for(const Vertex v : mesh.vertices())
     EXPECT_EQ(scaled_distance[v], 2. * original[v]);
   GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), scaled_distance,
@@ -164,15 +165,66 @@ TEST(Geodesic_distances, accept_vertex_and_face_speeds)
   for(const Vertex v : mesh.vertices())
     EXPECT_NEAR(scaled_distance[v], 2. * original[v], 1e-13); // the mean of three halves is rounded
   GP::geodesic_distances(mesh, Vertex(3), original);
-  GP::geodesic_distances(mesh, Vertex(3), scaled_distance, GP::parameters::speed_map(face_speed));
+  GP::geodesic_distances(mesh, Vertex(3), scaled_distance,
+                         GP::parameters::face_speed_map(face_speed));
   for(const Vertex v : mesh.vertices())
     EXPECT_EQ(scaled_distance[v], 2. * original[v]);
   face_speed[Face(0)] = 0.25; // then the default method is a front
   GP::geodesic_distances<GP::Euclidean_front>(mesh, Vertex(3), original,
-                                              GP::parameters::speed_map(face_speed));
-  GP::geodesic_distances(mesh, Vertex(3), scaled_distance, GP::parameters::speed_map(face_speed));
+                                              GP::parameters::face_speed_map(face_speed));
+  GP::geodesic_distances(mesh, Vertex(3), scaled_distance,
+                         GP::parameters::face_speed_map(face_speed));
   for(const Vertex v : mesh.vertices())
     EXPECT_EQ(scaled_distance[v], original[v]);
+}
+
+// Vertices and faces both convert to the keys of a map of a vector. A closed mesh has about twice as
+// many faces as vertices.
+TEST(Geodesic_distances, read_speeds_from_vectors)
+{
+  Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
+  auto expected = vertex_map(mesh), found = vertex_map(mesh), speed = vertex_map(mesh);
+  auto face_speed = mesh.add_property_map<Face, double>("f:speed").first;
+  std::vector<double> speeds, face_speeds;
+  for(const Vertex v : mesh.vertices())
+    speeds.push_back(speed[v] = 1. + 0.5 * mesh.point(v).z());
+  for(const Face f : mesh.faces())
+    face_speeds.push_back(face_speed[f] = 1. + 0.1 * double(f % 7));
+  GP::geodesic_distances(mesh, Vertex(3), expected, GP::parameters::speed_map(speed));
+  GP::geodesic_distances(mesh, Vertex(3), found,
+                         GP::parameters::speed_map(CGAL::make_property_map(speeds)));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(found[v], expected[v]);
+  GP::geodesic_distances(mesh, Vertex(3), expected, GP::parameters::face_speed_map(face_speed));
+  GP::geodesic_distances(mesh, Vertex(3), found,
+                         GP::parameters::face_speed_map(CGAL::make_property_map(face_speeds)));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(found[v], expected[v]);
+}
+
+// A map of faces that is passed as speed_map does not compile, because this trait is asserted.
+template <typename TriangleMesh>
+void check_keys_of_speeds()
+{
+  using Graph = boost::graph_traits<TriangleMesh>;
+  using Vertices =
+      typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<double>>::type;
+  using Faces =
+      typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<double>>::type;
+  using GP::internal::is_keyed_by;
+  EXPECT_TRUE((is_keyed_by<Vertices, typename Graph::vertex_descriptor>));
+  EXPECT_FALSE((is_keyed_by<Faces, typename Graph::vertex_descriptor>));
+  EXPECT_TRUE((is_keyed_by<Faces, typename Graph::face_descriptor>));
+  EXPECT_FALSE((is_keyed_by<Vertices, typename Graph::face_descriptor>));
+}
+
+TEST(Geodesic_distances, distinguish_speeds_of_vertices_and_faces)
+{
+  check_keys_of_speeds<Mesh>();
+  check_keys_of_speeds<CGAL::Polyhedron_3<Kernel>>();
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+  check_keys_of_speeds<OpenMesh::TriMesh_ArrayKernelT<>>();
+#endif
 }
 
 TEST(Geodesic_distances, do_not_cross_obstacles)

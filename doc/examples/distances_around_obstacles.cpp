@@ -44,7 +44,7 @@ int main()
 
   const Vertex source(0); // at (0, 0)
   GP::Geodesic_distance_solver<Mesh> solver(mesh);
-  solver.compute(source, GP::parameters::speed_map(speed));
+  solver.compute(source, GP::parameters::face_speed_map(speed));
 
   // The shortest path to the opposite corner (20, 0) bends at both upper corners of the wall.
   const Vertex target(20);

@@ -49,7 +49,7 @@ int main()
 
   // The distance between two unit point masses is the length of the shortest path, here around both
   // upper corners of the wall.
-  GP::Earth_movers_solver<Mesh> solver(yard, GP::parameters::speed_map(speed));
+  GP::Earth_movers_solver<Mesh> solver(yard, GP::parameters::face_speed_map(speed));
   const auto point_cost = solver.compute(door, gate, GP::parameters::do_bound_from_above(true));
   const double shortest = std::hypot(0.25, 0.6) + 0.05 + std::hypot(0.2, 0.6);
   std::cout << "From door to gate: between " << point_cost.lower << " and "

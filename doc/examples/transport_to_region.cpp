@@ -50,7 +50,7 @@ int main()
 
   // The doors are the lower left and the lower right corner.
   const std::vector<Vertex> doors = {vertex_at(0., 0.), vertex_at(2., 0.)};
-  const auto speed_parameters = GP::parameters::speed_map(speed);
+  const auto speed_parameters = GP::parameters::face_speed_map(speed);
   GP::Region_transport_solver<Mesh> solver(floor_plan, doors, speed_parameters);
 
   // Two people: each one uses the nearest door.

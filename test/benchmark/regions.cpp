@@ -295,7 +295,7 @@ void print_refraction()
   for(const unsigned refinements : {0u, 1u})
   {
     GP::Earth_movers_solver<Mesh> solver(
-        mesh, GP::parameters::speed_map(speed).number_of_refinements(refinements));
+        mesh, GP::parameters::face_speed_map(speed).number_of_refinements(refinements));
     std::mt19937 random(1);
     double mean = 0., largest = 0.;
     constexpr int rays = 20;

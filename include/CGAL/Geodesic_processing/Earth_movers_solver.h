@@ -199,16 +199,22 @@ public:
   ///       halves the error and takes four to eight times as long}
   ///     \cgalParamType{`unsigned`}
   ///     \cgalParamDefault{1 up to 5,000 vertices or surfels, otherwise 0} \cgalParamNEnd
-  ///   \cgalParamNBegin{speed_map}
-  ///     \cgalParamDescription{the speed at vertices or in faces, finite and not negative, zero
-  ///       in obstacles; the cost of a path is then its travel time}
-  ///     \cgalParamType{a property map with `double` values} \cgalParamDefault{1 everywhere}
-  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{speed_map, face_speed_map}
+  ///     \cgalParamDescription{as for `Geodesic_distance_solver::compute()`; the cost of a path is
+  ///       then its travel time} \cgalParamDefault{1 everywhere} \cgalParamNEnd
   ///   \cgalParamNBegin{metric_map}
-  ///     \cgalParamDescription{a symmetric positive definite matrix M for each face or vertex. The
-  ///       length of a vector v is the square root of v<SUP>T</SUP> M v, divided by the speed}
-  ///     \cgalParamType{a property map with `Eigen::Matrix3d` values}
+  ///     \cgalParamDescription{a symmetric positive definite matrix M for each vertex or surfel.
+  ///       The length of a vector v is the square root of v<SUP>T</SUP> M v, divided by the speed.
+  ///       M of a triangle is the mean of its corners}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with vertices or surfels as keys and
+  ///       `Eigen::Matrix3d` values}
   ///     \cgalParamDefault{the identity} \cgalParamNEnd
+  ///   \cgalParamNBegin{face_metric_map}
+  ///     \cgalParamDescription{a symmetric positive definite matrix for each face of a mesh}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with faces as keys and `Eigen::Matrix3d`
+  ///       values}
+  ///     \cgalParamDefault{the identity}
+  ///     \cgalParamExtra{`metric_map` and `face_metric_map` exclude each other.} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `make_domain()`
   /// \throws Unsupported_surface_error if no triangle has an area or the refined surface is too

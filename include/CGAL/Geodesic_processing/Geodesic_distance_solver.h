@@ -94,11 +94,19 @@ public:
   ///       can stop as soon as their distances are final} \cgalParamDefault{no targets}
   ///       \cgalParamNEnd
   ///   \cgalParamNBegin{speed_map}
-  ///     \cgalParamDescription{the speed of the front at vertices, at surfels or in faces, finite
-  ///       and not negative; zero at obstacles.  If it is given at vertices or surfels, 1/speed of
-  ///       a triangle is the mean of 1/speed at its corners}
+  ///     \cgalParamDescription{the speed of the front at vertices or surfels, finite and not
+  ///       negative, zero at obstacles. 1/speed of a triangle is the mean of 1/speed at its
+  ///       corners}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with vertices or surfels as keys and
+  ///       `double` values}
   ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
   ///   \cgalParamNBegin{relative_tolerance}
+  ///   \cgalParamNBegin{face_speed_map}
+  ///     \cgalParamDescription{the speed of the front in the faces of a mesh, finite and not
+  ///       negative, zero in obstacles}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with faces as keys and `double` values}
+  ///     \cgalParamDefault{1 everywhere}
+  ///     \cgalParamExtra{`speed_map` and `face_speed_map` exclude each other.} \cgalParamNEnd
   ///     \cgalParamDescription{a `double`, not negative.  If it is positive, `Exact` merges similar
   ///       windows, and `lower()` and `upper()` differ by at most this fraction of `lower()`, which
   ///       `maximum_distance` bounds.  On fine smooth meshes this takes a fifth of the time}

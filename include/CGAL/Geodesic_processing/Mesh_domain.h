@@ -99,6 +99,8 @@ public:
   Face face(internal::Index triangle) const { return m_data->faces[triangle]; }
   template <typename SpeedMap>
   std::vector<double> slowness(SpeedMap speed) const;
+  template <typename FaceSpeedMap>
+  std::vector<double> face_slowness(FaceSpeedMap speed) const;
   /// @}
 
 private:
@@ -267,20 +269,21 @@ template <typename SpeedMap>
 std::vector<double> Mesh_domain<TriangleMesh>::slowness(SpeedMap speed) const
 {
   std::vector<double> values;
-  if constexpr(std::is_convertible_v<Face, typename boost::property_traits<SpeedMap>::key_type>)
-  {
-    values.reserve(m_data->faces.size());
-    for(const Face face : m_data->faces)
-      values.push_back(get(speed, face));
-    return internal::slowness_of(std::move(values));
-  }
-  else
-  {
-    values.reserve(m_data->vertices.size());
-    for(const Vertex v : m_data->vertices)
-      values.push_back(get(speed, v));
-    return internal::mean_over_corners(*m_triangles, internal::slowness_of(std::move(values)));
-  }
+  values.reserve(m_data->vertices.size());
+  for(const Vertex v : m_data->vertices)
+    values.push_back(get(speed, v));
+  return internal::mean_over_corners(*m_triangles, internal::slowness_of(std::move(values)));
+}
+
+template <typename TriangleMesh>
+template <typename FaceSpeedMap>
+std::vector<double> Mesh_domain<TriangleMesh>::face_slowness(FaceSpeedMap speed) const
+{
+  std::vector<double> values;
+  values.reserve(m_data->faces.size());
+  for(const Face face : m_data->faces)
+    values.push_back(get(speed, face));
+  return internal::slowness_of(std::move(values));
 }
 
 } // namespace CGAL::Geodesic_processing

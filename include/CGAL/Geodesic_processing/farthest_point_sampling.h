@@ -99,9 +99,9 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{selects the vertex from which the first sample is farthest}
 ///     \cgalParamDefault{0} \cgalParamNEnd
-///   \cgalParamNBegin{speed_map}
-///     \cgalParamDescription{as for `geodesic_distances()`: samples are denser in regions of lower
-///       speed}
+///   \cgalParamNBegin{speed_map, face_speed_map}
+///     \cgalParamDescription{as for `Geodesic_distance_solver::compute()`: samples are denser in
+///       regions of lower speed}
 ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{covering_radius_output}
 ///     \cgalParamDescription{an output iterator that takes the covering radius after each sample}

@@ -38,7 +38,7 @@ struct Geodesic_barycenter
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface the surface on which distances are measured
 /// \param locations a nonempty range of vertices (or surfels), locations or `Source`s
-/// \param np parameters of `make_domain()`, `speed_map` as for
+/// \param np parameters of `make_domain()`, `speed_map` and `face_speed_map` as for
 ///        `Geodesic_distance_solver::compute()`, and
 ///
 /// \cgalNamedParamsBegin

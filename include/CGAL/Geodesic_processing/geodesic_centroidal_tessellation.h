@@ -55,9 +55,9 @@ namespace CGAL::Geodesic_processing {
 ///       were added to obtain disks. Iteration stops if a step decreases the energy by less than a
 ///       thousandth}
 ///     \cgalParamDefault{20} \cgalParamNEnd
-///   \cgalParamNBegin{speed_map}
-///     \cgalParamDescription{as for `geodesic_distances()`: cells are smaller in regions of lower
-///       speed}
+///   \cgalParamNBegin{speed_map, face_speed_map}
+///     \cgalParamDescription{as for `Geodesic_distance_solver::compute()`: cells are smaller in
+///       regions of lower speed}
 ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed} \cgalParamDescription{as for `farthest_point_sampling()`}
 ///     \cgalParamDefault{0} \cgalParamNEnd

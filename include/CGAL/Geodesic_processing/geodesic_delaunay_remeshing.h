@@ -82,9 +82,9 @@ struct Remeshing_result
 ///     \cgalParamDescription{a vertex, a location, or a range of these, which become the first
 ///       samples}
 ///     \cgalParamDefault{none} \cgalParamNEnd
-///   \cgalParamNBegin{speed_map}
-///     \cgalParamDescription{as for `geodesic_distances()`, but positive: triangles are smaller in
-///       regions of lower speed}
+///   \cgalParamNBegin{speed_map, face_speed_map}
+///     \cgalParamDescription{as for `Geodesic_distance_solver::compute()`, but positive: triangles
+///       are smaller in regions of lower speed}
 ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_relaxation_steps}
 ///     \cgalParamDescription{the number of Lloyd steps, which move samples to the centroids of

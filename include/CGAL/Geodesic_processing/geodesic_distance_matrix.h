@@ -95,7 +95,8 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///       fraction, by one thread at a time; if it returns false, the computation is canceled}
 ///       \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// and `speed_map` and `relative_tolerance` as for `Geodesic_distance_solver::compute()`.
+/// and `speed_map`, `face_speed_map` and `relative_tolerance` as for
+/// `Geodesic_distance_solver::compute()`.
 ///
 /// \returns a matrix with one row per source and one column per target; an entry is +infinity if
 ///          the source does not reach the target.  The matrix is empty if the callback canceled the

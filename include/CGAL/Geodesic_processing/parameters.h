@@ -16,6 +16,7 @@ namespace CGAL::Geodesic_processing {
   NAME(maximum_distance)                                                                           \
   NAME(targets)                                                                                    \
   NAME(speed_map)                                                                                  \
+  NAME(face_speed_map)                                                                             \
   NAME(relative_tolerance)                                                                         \
   NAME(source_label_map)                                                                           \
   NAME(predecessor_map)                                                                            \
@@ -54,6 +55,7 @@ namespace CGAL::Geodesic_processing {
   NAME(maximum_number_of_iterations)                                                               \
   NAME(number_of_refinements)                                                                      \
   NAME(metric_map)                                                                                 \
+  NAME(face_metric_map)                                                                            \
   NAME(potential_map)                                                                              \
   NAME(flow_map)                                                                                   \
   NAME(arrival_map)                                                                                \

@@ -72,8 +72,9 @@ struct Texture_atlas
 ///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDescription{maximum number of steps
 ///     of the tessellation}
 ///     \cgalParamDefault{5} \cgalParamNEnd
-///   \cgalParamNBegin{speed_map} \cgalParamDescription{as for `geodesic_distances()`: charts are
-///     smaller in regions of lower speed} \cgalParamDefault{1 everywhere} \cgalParamNEnd
+///   \cgalParamNBegin{speed_map, face_speed_map} \cgalParamDescription{as for
+///     `Geodesic_distance_solver::compute()`: charts are smaller in regions of lower speed}
+///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed} \cgalParamDescription{as for `farthest_point_sampling()`}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{threads} \cgalParamDescription{number of threads with `CGAL::Parallel_tag`}

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_LIMITS_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_LIMITS_H
 
+#include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
@@ -11,6 +12,9 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,17 +24,54 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns 1 / speed of each triangle; null for an empty optional, which stands for no map.
+// #triangles: 1 / speed of each triangle; null if the speed is 1 everywhere.
+using Shared_slowness = std::shared_ptr<const std::vector<double>>;
+
+// True if a property map can be read at descriptors of this type.
+template <typename PropertyMap, typename Descriptor>
+inline constexpr bool is_keyed_by =
+    std::is_convertible_v<Descriptor, typename boost::property_traits<PropertyMap>::key_type>;
+
+// Reads the speeds of vertices or surfels. An empty optional stands for no map.
 template <typename Domain, typename SpeedMap>
-std::shared_ptr<const std::vector<double>> slowness(const Domain& domain, const SpeedMap& speed)
+Shared_slowness vertex_slowness(const Domain& domain, const SpeedMap& speed)
 {
+  static_assert(is_keyed_by<SpeedMap, typename Domain::Vertex>,
+                "speed_map has vertices or surfels as keys; pass speeds of faces as "
+                "face_speed_map.");
   return std::make_shared<const std::vector<double>>(domain.slowness(speed));
 }
 template <typename Domain, typename SpeedMap>
-std::shared_ptr<const std::vector<double>> slowness(const Domain& domain,
-                                                    const std::optional<SpeedMap>& speed)
+Shared_slowness vertex_slowness(const Domain& domain, const std::optional<SpeedMap>& speed)
 {
-  return speed ? slowness(domain, *speed) : nullptr;
+  return speed ? vertex_slowness(domain, *speed) : nullptr;
+}
+
+// Reads the speeds of faces.
+template <typename Domain, typename FaceSpeedMap>
+Shared_slowness face_slowness(const Domain& domain, const FaceSpeedMap& speed)
+{
+  using Surface = typename Domain::Surface;
+  static_assert(!Is_cloud<Surface>::value,
+                "A cloud has no faces; pass speeds of surfels as speed_map.");
+  static_assert(is_keyed_by<FaceSpeedMap, typename boost::graph_traits<Surface>::face_descriptor>,
+                "face_speed_map has faces as keys; pass speeds of vertices as speed_map.");
+  return std::make_shared<const std::vector<double>>(domain.face_slowness(speed));
+}
+
+// Reads the named parameter `speed_map` or `face_speed_map`.
+template <typename Domain, typename NamedParameters>
+Shared_slowness read_slowness(const Domain& domain, const NamedParameters& np)
+{
+  constexpr bool at_vertices = has_parameter<NamedParameters, internal_np::speed_map_t>;
+  constexpr bool in_faces = has_parameter<NamedParameters, internal_np::face_speed_map_t>;
+  static_assert(!(at_vertices && in_faces), "Pass speed_map or face_speed_map, not both.");
+  if constexpr(at_vertices)
+    return vertex_slowness(domain, parameter(np, internal_np::speed_map, none));
+  else if constexpr(in_faces)
+    return face_slowness(domain, parameter(np, internal_np::face_speed_map, none));
+  else
+    return nullptr;
 }
 
 // Converts the named parameters of a distance query (maximum distance, callback, targets, speed
@@ -50,8 +91,7 @@ Front_limits limits(const Domain& domain, const NamedParameters& np)
   result.callback = parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
   if constexpr(has_parameter<NamedParameters, internal_np::targets_t>)
     result.targets = locations(domain, parameter(np, internal_np::targets, none));
-  if constexpr(has_parameter<NamedParameters, internal_np::speed_map_t>)
-    result.slowness = slowness(domain, parameter(np, internal_np::speed_map, none));
+  result.slowness = read_slowness(domain, np);
   return result;
 }
 

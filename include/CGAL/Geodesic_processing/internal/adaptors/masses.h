@@ -109,60 +109,81 @@ inline Metric_tensor square_root(const Metric_tensor& a)
   return {factor * (a[0] + determinant), factor * a[1], factor * (a[2] + determinant)};
 }
 
-// Returns the tensor of a face: from a map of faces, or the mean of its vertices from a map of
-// vertices.
-template <typename Domain, typename MetricMap>
-Eigen::Matrix3d face_metric(const Domain& domain, const MetricMap& map, Index triangle)
+// Restricts a metric in space to the planes of the triangles and multiplies the kernels' metric by
+// its square root.
+//
+// metric: returns the metric of a triangle as an `Eigen::Matrix3d`
+// result: #triangles, or empty for the identity
+//
+// Throws Invalid_argument_error if a tensor is not positive definite.  O(n).
+template <typename Metric>
+void multiply_by_metric(const Surface_arrays& t, const Metric& metric,
+                        std::vector<Metric_tensor>& result)
 {
-  using Key = typename boost::property_traits<MetricMap>::key_type;
-  if constexpr(std::is_convertible_v<typename Domain::Vertex, Key>)
+  result.resize(t.number_of_triangles(), {1., 0., 1.});
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for(std::size_t k = 0; k < 3; ++k)
-      sum += get(map, domain.vertex(domain.triangles()->corner[3 * std::size_t(triangle) + k]));
-    return sum / 3.;
+    const auto [u, v] = axes(t, f);
+    if(v == Vec3{0., 0., 0.})
+      continue;
+    const Eigen::Matrix3d tensor = metric(f);
+    const auto product = [&tensor](const Vec3& a, const Vec3& b)
+    {
+      using Eigen_vector = Eigen::Map<const Eigen::Vector3d>;
+      return Eigen_vector(a.data()).dot(tensor * Eigen_vector(b.data()));
+    };
+    const Metric_tensor squared = {product(u, u), product(u, v), product(v, v)};
+    if(!(squared[0] > 0. && squared[0] * squared[2] > squared[1] * squared[1]) ||
+       !std::isfinite(squared[0] + squared[2]))
+      throw Invalid_argument_error("A metric is not positive definite.");
+    const double slowness = result[f][0];
+    result[f] = square_root(squared);
+    for(double& entry : result[f])
+      entry *= slowness;
   }
-  else
-    return get(map, domain.face(triangle));
 }
 
-// #triangles: returns the tensors of the kernels' metric, by which lengths of vectors v are
-// |A v|, from `speed_map` and `metric_map`; empty if both are missing.  A metric M in space is
-// restricted to the plane of the triangle, and A is the square root divided by the speed.  Throws
-// Invalid_argument_error if a tensor is not positive definite.  O(n).
+// #triangles: returns the tensors A of the kernels' metric, by which lengths of vectors v are
+// |A v|, from the named parameters of speeds and metrics; empty if all are missing.  A is the
+// square root of the metric divided by the speed.  Throws Invalid_argument_error if a speed is
+// invalid or a metric is not positive definite.  O(n).
 template <typename Domain, typename NamedParameters>
 std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParameters& np)
 {
+  constexpr bool at_vertices = has_parameter<NamedParameters, internal_np::metric_map_t>;
+  constexpr bool in_faces = has_parameter<NamedParameters, internal_np::face_metric_map_t>;
+  static_assert(!(at_vertices && in_faces), "Pass metric_map or face_metric_map, not both.");
   const Surface_arrays& t = *domain.triangles();
   std::vector<Metric_tensor> result;
-  if constexpr(has_parameter<NamedParameters, internal_np::speed_map_t>)
-    if(const auto given = slowness(domain, parameter(np, internal_np::speed_map, none)))
-      for(const double slow : *given)
-        result.push_back({slow, 0., slow});
-  if constexpr(has_parameter<NamedParameters, internal_np::metric_map_t>)
+  if(const auto slowness = read_slowness(domain, np))
+    for(const double slow : *slowness)
+      result.push_back({slow, 0., slow});
+  if constexpr(at_vertices)
   {
     const auto map = parameter(np, internal_np::metric_map, none);
-    result.resize(t.number_of_triangles(), {1., 0., 1.});
-    for(Index f = 0; f < t.number_of_triangles(); ++f)
+    static_assert(is_keyed_by<std::remove_const_t<decltype(map)>, typename Domain::Vertex>,
+                  "metric_map has vertices or surfels as keys; pass metrics of faces as "
+                  "face_metric_map.");
+    const auto mean_metric = [&](Index triangle)
     {
-      const auto [u, v] = axes(t, f);
-      if(v == Vec3{0., 0., 0.})
-        continue;
-      const Eigen::Matrix3d tensor = face_metric(domain, map, f);
-      const auto product = [&tensor](const Vec3& a, const Vec3& b)
-      {
-        using Eigen_vector = Eigen::Map<const Eigen::Vector3d>;
-        return Eigen_vector(a.data()).dot(tensor * Eigen_vector(b.data()));
-      };
-      const Metric_tensor squared = {product(u, u), product(u, v), product(v, v)};
-      if(!(squared[0] > 0. && squared[0] * squared[2] > squared[1] * squared[1]) ||
-         !std::isfinite(squared[0] + squared[2]))
-        throw Invalid_argument_error("A metric is not positive definite.");
-      const double slowness = result[f][0];
-      result[f] = square_root(squared);
-      for(double& entry : result[f])
-        entry *= slowness;
-    }
+      Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+      for(std::size_t k = 0; k < 3; ++k)
+        sum += get(map, domain.vertex(t.corner[3 * std::size_t(triangle) + k]));
+      return Eigen::Matrix3d(sum / 3.);
+    };
+    multiply_by_metric(t, mean_metric, result);
+  }
+  else if constexpr(in_faces)
+  {
+    using Surface = typename Domain::Surface;
+    static_assert(!Is_cloud<Surface>::value,
+                  "A cloud has no faces; pass metrics of surfels as metric_map.");
+    const auto map = parameter(np, internal_np::face_metric_map, none);
+    static_assert(is_keyed_by<std::remove_const_t<decltype(map)>,
+                              typename boost::graph_traits<Surface>::face_descriptor>,
+                  "face_metric_map has faces as keys; pass metrics of vertices as metric_map.");
+    multiply_by_metric(
+        t, [&](Index triangle) { return get(map, domain.face(triangle)); }, result);
   }
   return result;
 }
