@@ -74,7 +74,7 @@ TEST(Base_parameterization, throws_on_invalid_locations)
   EXPECT_THROW(GP::Base_parameterization<Mesh>(Mesh(), 20), GP::Invalid_argument_error);
   const std::function<bool(double)> cancel = [](double) { return false; };
   EXPECT_THROW(GP::Base_parameterization<Mesh>(mesh, 20, GP::parameters::callback(cancel)),
-               GP::Invalid_argument_error);
+               GP::Cancelled);
   Mesh with_isolated = mesh;
   const Vertex isolated = with_isolated.add_vertex(Kernel::Point_3(0., 0., 0.));
   const GP::Base_parameterization<Mesh> other(with_isolated, 20);

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace exceptions_test {
 
@@ -22,6 +24,14 @@ TEST(Exceptions, are_runtime_errors_with_message)
   }
   EXPECT_THROW(throw Unsupported_surface_error("A face is not a triangle."), std::runtime_error);
   EXPECT_FALSE((std::is_base_of_v<Invalid_argument_error, Unsupported_surface_error>));
+}
+
+// Code that handles all errors of the package does not take a cancellation for one of them.
+TEST(Exceptions, cancelled_is_no_runtime_error)
+{
+  EXPECT_TRUE((std::is_base_of_v<std::exception, Cancelled>));
+  EXPECT_FALSE((std::is_base_of_v<std::runtime_error, Cancelled>));
+  EXPECT_FALSE(std::string(Cancelled().what()).empty());
 }
 
 } // namespace exceptions_test

@@ -322,10 +322,11 @@ TEST(Farthest_point_sampling, can_be_cancelled)
 {
   const Mesh mesh = mesh_of(square(20));
   Samples samples;
-  GP::farthest_point_sampling(mesh, 100, std::back_inserter(samples),
-                              GP::parameters::callback(std::function<bool(double)>(
-                                  [](double done) { return done < 0.1; })));
-  EXPECT_EQ(samples.size(), 10u);
+  EXPECT_THROW(GP::farthest_point_sampling(mesh, 100, std::back_inserter(samples),
+                                           GP::parameters::callback(std::function<bool(double)>(
+                                               [](double done) { return done < 0.1; }))),
+               GP::Cancelled);
+  EXPECT_TRUE(samples.empty());
 }
 
 } // namespace farthest_point_sampling_test

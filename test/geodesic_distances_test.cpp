@@ -16,9 +16,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <limits>
 #include <map>
+#include <vector>
 
 namespace geodesic_distances_test {
 

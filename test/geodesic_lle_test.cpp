@@ -212,10 +212,10 @@ TEST(geodesic_lle, can_be_cancelled)
 {
   Mesh mesh = mesh_of(square(8, 0.2));
   auto uv = mesh.add_property_map<Vertex, UV>("v:uv", UV{7., 7.}).first;
-  EXPECT_TRUE(GP::geodesic_lle(mesh, uv,
-                               GP::parameters::callback(
-                                   std::function<bool(double)>([](double) { return false; })))
-                  .empty());
+  EXPECT_THROW(GP::geodesic_lle(mesh, uv,
+                                GP::parameters::callback(
+                                    std::function<bool(double)>([](double) { return false; }))),
+               GP::Cancelled);
   EXPECT_EQ(uv[Vertex(3)], (UV{7., 7.}));
 }
 

@@ -50,10 +50,7 @@ TEST(minimize_distortion, result_has_no_flips)
     EXPECT_EQ(from_good.number_of_flips_before, 0u);
     EXPECT_GT(from_bad.number_of_flips_before, 0u);
     for(const auto* found : {&from_good, &from_bad})
-    {
       EXPECT_EQ(found->number_of_flips, 0u);
-      EXPECT_TRUE(found->is_complete);
-    }
     // Both runs converge to the same minimum, up to the last step's relative decrease of 1e-6.
     EXPECT_NEAR(from_good.symmetric_dirichlet, from_bad.symmetric_dirichlet, 2e-5);
     const auto distortion = GP::flattening_distortion(mesh, good);

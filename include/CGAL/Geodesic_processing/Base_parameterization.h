@@ -84,8 +84,8 @@ public:
   /// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
   /// \param number the number of base vertices; more are added if the topology requires them
   /// \param np parameters of `make_domain()`; `random_seed`, `number_of_relaxation_steps`,
-  ///        `first_samples`, `speed_map`, `sharp_angle`, `edge_is_constrained_map`,
-  ///        `curve_spacing`, `edge_spacing_map` and `callback` as for
+  ///        `first_samples`, `speed_map`, `face_speed_map`, `sharp_angle`,
+  ///        `edge_is_constrained_map`, `curve_spacing`, `edge_spacing_map` and `callback` as for
   ///        `geodesic_delaunay_remeshing()`. Base edges follow the boundary, sharp edges and
   ///        constrained edges exactly. In addition:
   ///
@@ -96,7 +96,7 @@ public:
   /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if the triangles of the mesh cannot be remeshed, or if edges
   ///         cannot be traced on the mesh. Only round-off errors could cause the latter
-  /// \throws Invalid_argument_error as `geodesic_delaunay_remeshing()`, and if the callback cancels
+  /// \throws as `geodesic_delaunay_remeshing()`
   ///
   /// Takes near-linear time in the size of the mesh and in the length of the base edges, measured
   /// in edges of the mesh. Exact distances visit each vertex three times.
@@ -107,8 +107,10 @@ public:
   {
     auto base = std::make_shared<internal::Base_mesh>(internal::build_base_mesh(
         m_domain.triangles(), internal::base_mesh_options(mesh, m_domain, number, np)));
+    if(!base->is_finished)
+      throw Cancelled();
     if(base->triangles.empty())
-      throw Invalid_argument_error("The mesh has no triangles, or the computation was canceled.");
+      throw Invalid_argument_error("The mesh has no triangles.");
     m_map = std::make_shared<const internal::Base_map>(
         std::move(base),
         internal::parameter(np, internal_np::base_coordinates, Base_coordinates::heron));

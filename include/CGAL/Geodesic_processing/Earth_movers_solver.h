@@ -257,8 +257,8 @@ public:
   ///       the last call, which saves iterations if the masses are similar}
   ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the
-  ///       iteration ends with the best bounds so far}
+  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the function
+  ///       throws `Cancelled`}
   ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns the distance with certified bounds
@@ -268,6 +268,7 @@ public:
   ///         if a total mass that must be normalized is not positive
   /// \throws Invalid_argument_error if the tolerance is not positive
   /// \throws Unsupported_surface_error if `do_bound_from_above` is set on a cloud
+  /// \throws Cancelled if the callback returns false.  The results of the last call remain valid.
   ///
   /// The default method takes 5 to 20 iterations of O(n<SUP>1.5</SUP>) to a gap of 0.1 percent.
   template <typename Method = Interior_point, typename From, typename To,

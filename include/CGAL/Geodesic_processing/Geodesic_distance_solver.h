@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/Surface_path.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
@@ -100,13 +101,13 @@ public:
   ///     \cgalParamType{a model of `ReadablePropertyMap` with vertices or surfels as keys and
   ///       `double` values}
   ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
-  ///   \cgalParamNBegin{relative_tolerance}
   ///   \cgalParamNBegin{face_speed_map}
   ///     \cgalParamDescription{the speed of the front in the faces of a mesh, finite and not
   ///       negative, zero in obstacles}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with faces as keys and `double` values}
   ///     \cgalParamDefault{1 everywhere}
   ///     \cgalParamExtra{`speed_map` and `face_speed_map` exclude each other.} \cgalParamNEnd
+  ///   \cgalParamNBegin{relative_tolerance}
   ///     \cgalParamDescription{a `double`, not negative.  If it is positive, `Exact` merges similar
   ///       windows, and `lower()` and `upper()` differ by at most this fraction of `lower()`, which
   ///       `maximum_distance` bounds.  On fine smooth meshes this takes a fifth of the time}
@@ -115,19 +116,22 @@ public:
   ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the completed
   ///       fraction; if it returns false, the computation is canceled} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \returns false if the callback canceled the computation.  Then only vertices or surfels whose
-  ///          distances were final are reached.
+  /// \pre Property maps have a value for each of their keys. If a map reads a vector, as those of
+  ///      `CGAL::make_property_map()` do, the length of the vector is not checked.
   /// \throws Invalid_argument_error if there is no source, or if an offset, a location, a speed, the
   ///         maximum distance or the relative tolerance is invalid
   /// \throws Unsupported_surface_error if a speed map is given and the method does not support
   ///         speeds, or if the relative tolerance is positive and the method is not `Exact`
+  /// \throws Cancelled if the callback returns false.  Then only vertices or surfels whose
+  ///         distances were final are reached.
   template <typename Sources, typename NamedParameters = internal::Default_parameters>
-  bool compute(const Sources& sources, const NamedParameters& np = NamedParameters())
+  void compute(const Sources& sources, const NamedParameters& np = NamedParameters())
   {
     const internal::Front_limits limits = internal::limits(m_domain, np);
     m_labels.clear();
     m_sources = internal::sources(m_domain, sources, m_labels);
-    return m_engine.run(m_sources, limits);
+    if(!m_engine.run(m_sources, limits))
+      throw Cancelled();
   }
 
   /// \name The last computation

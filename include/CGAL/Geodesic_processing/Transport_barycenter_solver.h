@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_TRANSPORT_BARYCENTER_SOLVER_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/transport/Multilevel_barycenter_solver.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Geodesic_processing/transport_costs.h>
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -95,8 +95,8 @@ public:
   ///       have had as many distributions; for example, if only weights change}
   ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the
-  ///       iteration ends with the best bounds so far}
+  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the function
+  ///       throws `Cancelled`}
   ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns the cost of the barycenter with certified bounds
@@ -121,8 +121,7 @@ public:
     options.tolerance = internal::parameter(np, internal_np::tolerance, options.tolerance);
     options.maximum_iterations =
         internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
-    options.callback =
-        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+    options.callback = internal::read_throwing_callback(np);
     if(internal::parameter(np, internal_np::do_start_from_last, false))
       options.warm_start = std::move(m_result.state);
     m_result = m_kernel->solve(distributions, internal::weights(np, distributions.size()),

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_TRANSPORT_METRIC_H
 
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
@@ -15,7 +16,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -124,8 +124,8 @@ public:
   ///       is infinite, nothing is written} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
   ///     \cgalParamDescription{a `std::function<bool(double)>` that receives the fraction of the
-  ///       maximum number of iterations. If it returns `false`, the iteration ends, and the bounds
-  ///       are still valid} \cgalParamNEnd
+  ///       maximum number of iterations. If it returns `false`, the function throws `Cancelled`}
+  ///       \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Invalid_argument_error if a location is not on the surface, a mass is not finite, the
   ///         total masses differ, a total mass cannot be normalized, or the tolerance is not
@@ -171,20 +171,17 @@ public:
   /// \param distance_map receives a `double` for each vertex or surfel; infinity on other
   ///        components
   /// \param np `threads` and `callback` as for `geodesic_distance_matrix()`
-  /// \returns false if the callback cancelled the computation; then nothing is written
   /// \throws Invalid_argument_error if the location is not on the surface
+  /// \throws Cancelled if the callback returns false
   template <typename Concurrency_tag = Sequential_tag, typename Vertex_or_location,
             typename DistanceMap, typename NamedParameters = internal::Default_parameters>
-  bool write_distances(const Vertex_or_location& from, DistanceMap distance_map,
+  void write_distances(const Vertex_or_location& from, DistanceMap distance_map,
                        const NamedParameters& np = NamedParameters()) const
   {
     const internal::Surface_arrays& t = *m_domain.triangles();
     const internal::Vector found = m_transport->one_to_all(
         internal::masses_at(t, {internal::location(m_domain, from)}), options<Concurrency_tag>(np));
-    if(found.size() == 0)
-      return false;
     m_domain.write([&](internal::Index vertex) { return t.scale * found[vertex]; }, distance_map);
-    return true;
   }
 
   /// returns the distances of all pairs of locations, within the tolerance if `k` > 0.
@@ -195,8 +192,9 @@ public:
   /// \param locations a range of vertices, surfels or locations
   /// \param tolerance as for `cost()`
   /// \param np as for `write_distances()`
-  /// \returns a symmetric matrix; an empty one if the callback cancelled the computation
+  /// \returns a symmetric matrix
   /// \throws Invalid_argument_error as `cost()`
+  /// \throws Cancelled if the callback returns false
   template <typename Concurrency_tag = Sequential_tag, typename Locations,
             typename NamedParameters = internal::Default_parameters>
   Eigen::MatrixXd distance_matrix(const Locations& locations, double tolerance = 1e-3,
@@ -216,8 +214,7 @@ private:
   {
     internal::Spectral_transport_options result;
     result.threads = internal::threads<Concurrency_tag>(np);
-    result.callback =
-        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+    result.callback = internal::read_throwing_callback(np);
     return result;
   }
 

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_VOLUMETRIC_METRIC_H
 
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/transport_options.h>
 #include <CGAL/Geodesic_processing/internal/transport/volumetric.h>
@@ -11,7 +12,6 @@
 
 #include <CGAL/tags.h>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -129,10 +129,10 @@ public:
   ///     \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
   ///     \cgalParamDescription{a `std::function<bool(double)>` that receives the fraction done. If
-  ///       it returns false, the computation is cancelled} \cgalParamNEnd
+  ///       it returns false, the function throws `Cancelled`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns an `Earth_movers_cost` for each point, in their order, without `residual` and
-  ///          `upper_continuous`; an empty vector if the callback cancelled the computation
+  ///          `upper_continuous`
   /// \throws as `cost()`
   ///
   /// It takes about 24 bytes per vertex of the refined mesh for each point that is solved
@@ -145,8 +145,7 @@ public:
     internal::Volumetric_options options;
     options.tolerance = internal::parameter(np, internal_np::tolerance, options.tolerance);
     options.threads = internal::threads<Concurrency_tag>(np);
-    options.callback =
-        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+    options.callback = internal::read_throwing_callback(np);
     std::vector<internal::Vec3> points;
     for(const auto& point : to)
       points.push_back(internal::spatial(point));

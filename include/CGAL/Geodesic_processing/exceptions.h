@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_EXCEPTIONS_H
 #define CGAL_GEODESIC_PROCESSING_EXCEPTIONS_H
 
+#include <exception>
 #include <stdexcept>
 
 namespace CGAL::Geodesic_processing {
@@ -24,6 +25,18 @@ class Unsupported_surface_error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
+};
+
+/// is thrown by each function whose named parameter `callback` returns false.
+///
+/// Property maps, output iterators and graphs that the function would have written are unchanged.
+/// A solver can be used again; its documentation states which results are valid. If the function
+/// uses several threads, the exception is thrown in the thread that called it, after the others
+/// have ended.
+class Cancelled : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "The callback canceled the computation."; }
 };
 
 /// @}

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_FARTHEST_POINT_SAMPLING_H
 #define CGAL_GEODESIC_PROCESSING_FARTHEST_POINT_SAMPLING_H
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
@@ -12,6 +13,8 @@
 
 #include <limits>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Geodesic_processing {
 
@@ -42,15 +45,18 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
   options.covering_radius = radius / scale;
   options.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
   options.callback = front_limits.callback;
+  std::vector<std::pair<Surface_location, double>> samples_and_radii;
+  const auto add_sample = [&](double current_radius)
+  { samples_and_radii.emplace_back(sampling.samples().back(), scale * current_radius); };
+  if(!sample_farthest_points(sampling, options, add_sample))
+    throw Cancelled();
   [[maybe_unused]] auto radii = parameter(np, internal_np::covering_radius_output, 0);
-  sample_farthest_points(
-      sampling, options,
-      [&](double current_radius)
-      {
-        report_sample(sampling.samples().back());
-        if constexpr(has_parameter<NamedParameters, internal_np::covering_radius_output_t>)
-          *radii++ = scale * current_radius;
-      });
+  for([[maybe_unused]] const auto& [sample, current_radius] : samples_and_radii)
+  {
+    report_sample(sample);
+    if constexpr(has_parameter<NamedParameters, internal_np::covering_radius_output_t>)
+      *radii++ = current_radius;
+  }
   if constexpr(has_parameter<NamedParameters, internal_np::source_label_map_t>)
     domain.write(
         [&](Index vertex)
@@ -111,11 +117,11 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
 ///       or the largest `std::size_t` if no sample reaches it} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, sampling is cancelled; samples found until then are written}
-///       \cgalParamNEnd
+///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the output iterator past the last sample
 /// \throws Invalid_argument_error if a location, a speed or the covering radius is not usable
+/// \throws Cancelled if the callback returns false
 ///
 /// Adding a sample takes time proportional to the number of vertices in its Voronoi cell at that
 /// time. For n vertices, samples 1 to k together take O(n log k) steps of a front. For k = 1,000

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_BASE_MESH_H
 
 #include <CGAL/Geodesic_processing/Base_parameterization.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,7 @@ namespace CGAL::Geodesic_processing {
 ///        are added
 /// \param base_face_map receives for each face of `divided` the face of `base` that contains it
 /// \param np as for `Base_parameterization`
-/// \returns a summary of the result; if the callback cancelled, nothing is added to the meshes
+/// \returns a summary of the result
 /// \throws as `Base_parameterization`
 template <typename TriangleMesh, typename BaseMesh, typename DividedMesh, typename BaseFaceMap,
           typename NamedParameters = internal::Default_parameters>
@@ -40,12 +41,11 @@ Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number
   const auto domain = make_domain(mesh, np);
   const internal::Base_mesh found = internal::build_base_mesh(
       domain.triangles(), internal::base_mesh_options(mesh, domain, number, np));
-  Remeshing_result result;
-  result.is_finished = found.is_finished;
-  if(!result.is_finished)
-    return result;
+  if(!found.is_finished)
+    throw Cancelled();
   if(found.triangles.empty())
     throw Invalid_argument_error("The mesh has no triangles.");
+  Remeshing_result result;
   result.added = found.samples.size() - (std::min)(number, found.samples.size());
 
   const internal::Surface_arrays& fine = found.fine;

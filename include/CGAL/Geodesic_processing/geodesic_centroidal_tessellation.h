@@ -73,11 +73,11 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDefault{all hardware threads} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the computation is cancelled; the result found until then is written}
-///       \cgalParamNEnd
+///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the number of cells
 /// \throws Invalid_argument_error if the number is zero or a speed is not usable
+/// \throws Cancelled if the callback returns false
 ///
 /// Each step takes about the time of five fronts over the surface.
 template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
@@ -108,6 +108,8 @@ std::size_t geodesic_centroidal_tessellation(const Surface& surface, std::size_t
   const internal::Tessellation found = internal::tessellate(
       domain.triangles(), internal::Front(domain.triangles(), internal::front_kind<Method>()),
       front_limits.slowness, options);
+  if(!found.is_finished)
+    throw Cancelled();
 
   const auto label = [](Index cell)
   { return cell == internal::none ? no_label : std::size_t(cell); };

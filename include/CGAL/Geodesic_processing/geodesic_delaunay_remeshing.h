@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_DELAUNAY_REMESHING_H
 
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/Reconstructed_domain.h>
 #include <CGAL/Geodesic_processing/internal/remeshing/remeshing.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/remeshing_options.h>
@@ -37,7 +38,6 @@ struct Remeshing_result
   /// Number of pairs of intersecting faces, as CGAL's `self_intersections()` counts them, but at
   /// most the number of faces. Computed only if self-intersections were to be avoided.
   std::size_t self_intersections = 0;
-  bool is_finished = true; ///< false if the callback cancelled; the output is unchanged then
 };
 
 /// \ingroup PkgGeodesicProcessingRemeshing
@@ -143,13 +143,14 @@ struct Remeshing_result
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the remeshing is cancelled} \cgalParamNEnd
+///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns a summary of the result
 /// \throws Invalid_argument_error if a location or a speed is not usable, or if a nonzero number is
 ///         too small and `Too_few_samples::are_wrong` is set. The output is then unchanged
 /// \throws Unsupported_surface_error if no surface can be reconstructed from the surfels of a
 ///         cloud, or if it has too many components
+/// \throws Cancelled if the callback returns false
 ///
 /// Takes about the time of the sampling.
 template <typename Surface, typename OutputMesh,
@@ -164,10 +165,9 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   options.does_avoid_self_intersections =
       internal::parameter(np, internal_np::do_avoid_self_intersections, true);
   const internal::Remeshing found = internal::remesh(domain.triangles(), options);
-  Remeshing_result result;
-  result.is_finished = found.is_finished;
   if(!found.is_finished)
-    return result;
+    throw Cancelled();
+  Remeshing_result result;
   result.self_intersections = found.number_of_self_intersections;
   result.added = found.samples.size() - (std::min)(number, found.samples.size());
   if(number > 0 && result.added > 0 &&

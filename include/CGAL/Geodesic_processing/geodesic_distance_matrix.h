@@ -29,6 +29,7 @@ Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
   std::vector<std::size_t> labels;
   const auto from = sources(domain, from_sources, labels);
   Front_limits asked = limits(domain, np);
+  asked.callback = read_throwing_callback(np);
   if constexpr(!has_parameter<NamedParameters, internal_np::targets_t>)
     asked.targets = locations(domain, from_sources);
   const std::vector<Surface_location> to = asked.targets;
@@ -47,7 +48,8 @@ Eigen::SparseMatrix<double, Eigen::RowMajor>
 distances_of_near_pairs(const Domain& domain, Distance_method method, const Vertices& vertices,
                         double maximum_distance, const NamedParameters& np)
 {
-  const auto asked = limits(domain, chain(np).maximum_distance(maximum_distance));
+  Front_limits asked = limits(domain, chain(np).maximum_distance(maximum_distance));
+  asked.callback = read_throwing_callback(np);
   std::vector<Front_source> from;
   std::vector<Index> column_of(domain.number_of_vertices(), none);
   for(const auto& vertex : vertices)
@@ -92,15 +94,15 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///     \cgalParamDefault{the number of hardware threads} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the completed
-///       fraction, by one thread at a time; if it returns false, the computation is canceled}
+///       fraction, by one thread at a time; if it returns false, the function throws `Cancelled`}
 ///       \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// and `speed_map`, `face_speed_map` and `relative_tolerance` as for
 /// `Geodesic_distance_solver::compute()`.
 ///
 /// \returns a matrix with one row per source and one column per target; an entry is +infinity if
-///          the source does not reach the target.  The matrix is empty if the callback canceled the
-///          computation.  With approximate methods, it is symmetric only up to their errors.
+///          the source does not reach the target.  With approximate methods, it is symmetric only
+///          up to their errors.
 /// \throws as `Geodesic_distance_solver::compute()`
 template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag, typename Surface,
           typename Sources, typename NamedParameters = internal::Default_parameters>
@@ -125,9 +127,10 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 /// \param np the named parameters of `make_domain()`, and `threads` and `callback` as for
 ///        `geodesic_distance_matrix()`
 /// \returns a compressed matrix with sorted rows.  It has an entry for each pair within the bound,
-///          even if the distance is 0.  It is empty if the callback canceled the computation.
+///          even if the distance is 0.
 /// \throws Invalid_argument_error if the bound is negative or not a number, if a vertex or surfel
 ///         occurs twice, or if there are more than 2<SUP>31</SUP> pairs
+/// \throws Cancelled if the callback returns false
 ///
 /// Time and memory are proportional to the number of vertices or surfels that the fronts visit.
 template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag, typename Surface,

@@ -60,13 +60,14 @@ namespace CGAL::Geodesic_processing {
 ///       \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the computation is cancelled and nothing is written} \cgalParamNEnd
+///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the base points; empty if the callback cancelled
+/// \returns the base points
 /// \throws Unsupported_surface_error if the surface is not connected
 /// \throws Invalid_argument_error if there are fewer than three base points, groups of them have no
 ///         neighbors in each other, or a number is out of range
+/// \throws Cancelled if the callback returns false
 ///
 /// The front of each base point ends at the neighbors of its neighbors. With ten neighbors, all
 /// fronts together visit each vertex fewer than twenty times, independently of the number of base

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_GEODESIC_VORONOI_DIAGRAM_H
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_VORONOI_DIAGRAM_H
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
@@ -70,6 +71,8 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
         Index(std::lower_bound(labels.begin(), labels.end(), label_of_source[i]) - labels.begin());
   Voronoi_diagram cells(domain.triangles(), Front(domain.triangles(), front_kind<Method>()),
                         front_sources, Index(labels.size()), front_limits);
+  if(!cells.is_finished())
+    throw Cancelled();
   return {std::move(labels), std::move(cells)};
 }
 
@@ -95,8 +98,8 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
 /// \param label_map receives for each vertex or surfel the label of its nearest seed. The default
 ///        label is the position of the seed in the range. If no seed reaches it, the value is the
 ///        largest `std::size_t`
-/// \param np parameters of `make_domain()`; `maximum_distance`, `speed_map` and `callback` as for
-///        `Geodesic_distance_solver::compute()`; and
+/// \param np parameters of `make_domain()`; `maximum_distance`, `speed_map`, `face_speed_map` and
+///        `callback` as for `Geodesic_distance_solver::compute()`; and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{face_label_map}
@@ -106,14 +109,13 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
 ///     \cgalParamDescription{an output iterator that takes all bisectors as `Voronoi_bisector`}
 ///     \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \returns false if the callback cancelled; cells are too small then
 /// \throws as `Geodesic_distance_solver::compute()`
 ///
 /// O(n log n): propagates one front over the whole surface, and one over each cell and its
 /// surroundings.
 template <typename Method = Euclidean_front, typename Surface, typename Seeds, typename LabelMap,
           typename NamedParameters = internal::Default_parameters>
-bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelMap label_map,
+void geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelMap label_map,
                               const NamedParameters& np = NamedParameters())
 {
   using internal::Index;
@@ -151,7 +153,6 @@ bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
       *out++ = std::move(bisector);
     }
   }
-  return voronoi.is_finished();
 }
 
 /// \ingroup PkgGeodesicProcessingSampling
@@ -169,9 +170,8 @@ bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
 /// \param cells a model of `MutableFaceGraph` to which vertices and faces are added
 /// \param label_map receives for each new face the label of its cell. If a corner of the original
 ///        face is not reached, the value is the largest `std::size_t`
-/// \param np parameters of `make_domain()`; `maximum_distance`, `speed_map` and `callback` as for
-///        `Geodesic_distance_solver::compute()`
-/// \returns false if the callback cancelled; cells are too small then
+/// \param np parameters of `make_domain()`; `maximum_distance`, `speed_map`, `face_speed_map` and
+///        `callback` as for `Geodesic_distance_solver::compute()`
 /// \throws Unsupported_surface_error if the faces around a vertex cannot be added to `cells`
 /// \throws as `Geodesic_distance_solver::compute()`
 ///
@@ -179,7 +179,7 @@ bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
 template <typename Method = Euclidean_front, typename Surface, typename Seeds,
           typename TriangleMesh, typename FaceLabelMap,
           typename NamedParameters = internal::Default_parameters>
-bool geodesic_voronoi_cells(const Surface& mesh, const Seeds& seeds, TriangleMesh& cells,
+void geodesic_voronoi_cells(const Surface& mesh, const Seeds& seeds, TriangleMesh& cells,
                             FaceLabelMap label_map, const NamedParameters& np = NamedParameters())
 {
   using internal::Index;
@@ -208,7 +208,6 @@ bool geodesic_voronoi_cells(const Surface& mesh, const Seeds& seeds, TriangleMes
           "The faces around a vertex cannot be added to the output mesh.");
     put(label_map, face, found.label(cut.labels[f]));
   }
-  return found.cells.is_finished();
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_MINIMIZE_DISTORTION_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/tutte_map.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
@@ -16,7 +17,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -30,7 +30,6 @@ struct Distortion_minimum
   std::size_t number_of_flips = 0;        ///< inverted or degenerate faces of the resulting map
   std::size_t number_of_steps = 0;        ///< steps of Newton's method
   double symmetric_dirichlet = 0.;        ///< the final mean energy per area, at least 4
-  bool is_complete = true;                ///< false if the callback cancelled
 };
 
 /// \ingroup PkgGeodesicProcessingFlattening
@@ -59,13 +58,13 @@ struct Distortion_minimum
 ///     \cgalParamDefault{200} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the computation is cancelled; the map computed until then is written
-///       and has no inverted faces either} \cgalParamNEnd
+///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the numbers of inverted faces and of steps, and the energy
 /// \throws Unsupported_surface_error if the mesh is not connected, has no boundary, has handles, or
 ///         touches itself at a vertex
 /// \throws Invalid_argument_error if a value of the map is not finite
+/// \throws Cancelled if the callback returns false
 ///
 /// Each step factorizes a matrix with two unknowns per vertex. About ten steps are needed, and up
 /// to a hundred if the iteration starts at Tutte's map.
@@ -100,11 +99,12 @@ Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
   const internal::Minimization_result found = minimize_symmetric_dirichlet(
       triangles, image,
       internal::parameter(np, internal_np::maximum_number_of_iterations, std::size_t(200)),
-      internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>()));
+      internal::read_callback(np));
+  if(!found.is_complete)
+    throw Cancelled();
   result.number_of_flips = number_of_flips(triangles, image);
   result.number_of_steps = found.number_of_steps;
   result.symmetric_dirichlet = found.energy;
-  result.is_complete = found.is_complete;
   domain.write(
       [&](internal::Index i)
       {

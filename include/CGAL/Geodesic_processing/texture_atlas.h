@@ -25,7 +25,6 @@ struct Texture_atlas
   std::size_t number_of_overlaps = 0; ///< charts whose boundary intersects itself
   double coverage = 0.;               ///< the fraction of the unit square that charts cover
   double texels_per_length = 0.;      ///< approximate; equal for all charts
-  bool is_complete = true;            ///< false if the callback cancelled; nothing is written then
 
   /// Returns whether no two locations inside charts have the same texture coordinates.
   ///
@@ -81,7 +80,7 @@ struct Texture_atlas
 ///     \cgalParamDefault{all hardware threads} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the computation is cancelled} \cgalParamNEnd
+///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns a summary with the certificate of injectivity
 /// \throws Invalid_argument_error if a number is zero or out of range, a speed is not usable, or
@@ -117,10 +116,9 @@ Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap 
       domain.triangles(), internal::Front(domain.triangles(), internal::front_kind<Method>()),
       front_limits.slowness, options);
 
-  Texture_atlas result;
-  result.is_complete = found.is_complete;
   if(!found.is_complete)
-    return result;
+    throw Cancelled();
+  Texture_atlas result;
   for(internal::Index f = 0; f < found.chart.size(); ++f)
   {
     // Halfedge k begins at corner k, so it points to corner k + 1.

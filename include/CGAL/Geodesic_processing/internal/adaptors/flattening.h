@@ -12,11 +12,11 @@
 #include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/tags.h>
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -69,8 +69,8 @@ void sample_base_points(const Domain& domain, const NamedParameters& np, std::si
 }
 
 // Samples base points, computes the map and writes the image of each vertex to `uv_map`; vertices
-// that are not reached get NaN.  Returns the base points, or an empty vector if the callback
-// cancelled.
+// that are not reached get NaN.  Returns the base points.  Throws Cancelled if the callback returns
+// false.
 //
 // map(triangles, sampling, front, callback): returns the image of each vertex in scaled units, or
 // an empty vector if the callback cancelled
@@ -87,11 +87,9 @@ auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np,
   sample_base_points(domain, np, default_number, sampling);
 
   std::vector<typename Domain::Vertex> base_points;
-  const std::vector<Vec2> image =
-      map(triangles, sampling, front,
-          parameter(np, CGAL::internal_np::callback, std::function<bool(double)>()));
+  const std::vector<Vec2> image = map(triangles, sampling, front, read_callback(np));
   if(image.empty())
-    return base_points;
+    throw Cancelled();
   for(const Surface_location& sample : sampling.samples())
     base_points.push_back(domain.vertex(sample.vertex));
   std::vector<bool> is_known(image.size(), false);

@@ -5,17 +5,17 @@
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <functional>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -74,8 +74,8 @@ Shared_slowness read_slowness(const Domain& domain, const NamedParameters& np)
     return nullptr;
 }
 
-// Converts the named parameters of a distance query (maximum distance, callback, targets, speed
-// map, relative tolerance) to the limits of a front, in scaled units.  Throws Invalid_argument_error
+// Converts the named parameters of a distance query (maximum distance, callback, targets, speeds,
+// relative tolerance) to the limits of a front, in scaled units.  Throws Invalid_argument_error
 // if the maximum distance or the tolerance is negative or not a number.
 template <typename Domain, typename NamedParameters>
 Front_limits limits(const Domain& domain, const NamedParameters& np)
@@ -88,7 +88,7 @@ Front_limits limits(const Domain& domain, const NamedParameters& np)
   result.relative_tolerance = parameter(np, internal_np::relative_tolerance, 0.);
   if(!(result.relative_tolerance >= 0.))
     throw Invalid_argument_error("The relative tolerance is negative or not a number.");
-  result.callback = parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+  result.callback = read_callback(np);
   if constexpr(has_parameter<NamedParameters, internal_np::targets_t>)
     result.targets = locations(domain, parameter(np, internal_np::targets, none));
   result.slowness = read_slowness(domain, np);

@@ -3,11 +3,10 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_TRANSPORT_OPTIONS_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_TRANSPORT_OPTIONS_H
 
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
 #include <CGAL/Geodesic_processing/internal/transport/Multilevel_transport_solver.h>
 #include <CGAL/Geodesic_processing/parameters.h>
-
-#include <functional>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -19,7 +18,7 @@ Transport_options transport_options(const NamedParameters& np)
   Transport_options result;
   result.tolerance = parameter(np, internal_np::tolerance, result.tolerance);
   result.maximum_iterations = parameter(np, internal_np::maximum_number_of_iterations, 0u);
-  result.callback = parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+  result.callback = read_throwing_callback(np);
   result.do_bound_from_above = parameter(np, internal_np::do_bound_from_above, false);
   return result;
 }
