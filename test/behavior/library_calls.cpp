@@ -109,7 +109,13 @@ bool is_canceled(const Function& call)
 {
   try
   {
-    return !call();
+    if constexpr(std::is_void_v<std::invoke_result_t<Function>>)
+    {
+      call();
+      return false;
+    }
+    else
+      return !call();
   }
   catch(const std::exception&)
   {
@@ -270,7 +276,8 @@ void solver(const Mesh& mesh)
     return true;
   };
   GP::Geodesic_distance_solver<Mesh, GP::Exact> exact(mesh);
-  print("finished", exact.compute(Vertex(40), params::callback(rising)));
+  print("finished",
+        !is_canceled([&] { return exact.compute(Vertex(40), params::callback(rising)); }));
   print("rising", is_rising);
   print("last", last);
   print("location", exact.distance(location(50, 0.25, 0.25)));
