@@ -122,6 +122,16 @@ private:
   {
     return !(descriptor < range.first) && !(range.second < descriptor);
   }
+  template <typename Descriptor, typename SpeedMap>
+  static std::vector<double> slowness_at(const std::vector<Descriptor>& descriptors,
+                                         const SpeedMap& speed)
+  {
+    std::vector<double> values;
+    values.reserve(descriptors.size());
+    for(const Descriptor& descriptor : descriptors)
+      values.push_back(get(speed, descriptor));
+    return internal::slowness_of(std::move(values));
+  }
   std::shared_ptr<const internal::Surface_arrays> m_triangles;
   std::shared_ptr<const Data> m_data;
 };
@@ -268,22 +278,14 @@ template <typename TriangleMesh>
 template <typename SpeedMap>
 std::vector<double> Mesh_domain<TriangleMesh>::slowness(SpeedMap speed) const
 {
-  std::vector<double> values;
-  values.reserve(m_data->vertices.size());
-  for(const Vertex v : m_data->vertices)
-    values.push_back(get(speed, v));
-  return internal::mean_over_corners(*m_triangles, internal::slowness_of(std::move(values)));
+  return internal::mean_over_corners(*m_triangles, slowness_at(m_data->vertices, speed));
 }
 
 template <typename TriangleMesh>
 template <typename FaceSpeedMap>
 std::vector<double> Mesh_domain<TriangleMesh>::face_slowness(FaceSpeedMap speed) const
 {
-  std::vector<double> values;
-  values.reserve(m_data->faces.size());
-  for(const Face face : m_data->faces)
-    values.push_back(get(speed, face));
-  return internal::slowness_of(std::move(values));
+  return slowness_at(m_data->faces, speed);
 }
 
 } // namespace CGAL::Geodesic_processing
