@@ -13,7 +13,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The intrinsic Delaunay triangulation of a mesh, and the map from locations on the mesh to it.
+// A nearly intrinsic Delaunay triangulation of a mesh, without long edges on request, and the map
+// from locations on the mesh to it.
 //
 // Both have the same metric.  The vertices of the mesh come first; further vertices are midpoints
 // of edges.  A location is mapped by the flips and bisections in their order: each step that

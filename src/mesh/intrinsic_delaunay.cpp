@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -21,9 +22,9 @@ bool is_opposite_acute(const Surface_arrays& t, Index h)
   return length * length <= a * a + b * b;
 }
 
-// Returns whether the opposite angles of an edge sum to more than pi: the sine of the sum is
-// negative.
-bool needs_flip(const Surface_arrays& t, Index h)
+// Returns whether the opposite angles of an edge sum to more than pi and a tolerance, whose cosine
+// and sine are given.
+bool needs_flip(const Surface_arrays& t, Index h, const Vec2& tolerance)
 {
   const Index twin = t.twin[h];
   if(twin == none || twin / 3 == h / 3)
@@ -33,7 +34,7 @@ bool needs_flip(const Surface_arrays& t, Index h)
     return false;
   const Vec2 a = corner_angle(t, previous_halfedge(h)),
              b = corner_angle(t, previous_halfedge(twin));
-  return rotated(a, b)[1] < -1e-12;
+  return rotated_back(rotated(a, b), tolerance)[1] < 0.;
 }
 
 // Replaces the edge ab of the triangles abc and bad by cd: they become cdb and dca.
@@ -130,20 +131,22 @@ void mollify(Surface_arrays& t, double slack)
       length += deficit;
 }
 
-bool is_delaunay(const Surface_arrays& t)
+bool is_delaunay(const Surface_arrays& t, double tolerance)
 {
+  const Vec2 direction = {std::cos(tolerance), std::sin(tolerance)};
   for(Index h = 0; h < t.corner.size(); ++h)
-    if(t.twin[h] != none && h < t.twin[h] && needs_flip(t, h))
+    if(t.twin[h] != none && h < t.twin[h] && needs_flip(t, h, direction))
       return false;
   return true;
 }
 
-std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& t)
+std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& t, double tolerance)
 {
+  const Vec2 direction = {std::cos(tolerance), std::sin(tolerance)};
   std::vector<Index> stack;
   std::vector<bool> is_stacked(t.corner.size(), false);
   for(Index h = 0; h < t.corner.size(); ++h)
-    if(t.twin[h] != none && h < t.twin[h] && needs_flip(t, h))
+    if(t.twin[h] != none && h < t.twin[h] && needs_flip(t, h, direction))
     {
       is_stacked[h] = true;
       stack.push_back(h);
@@ -157,7 +160,7 @@ std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& t)
     const Index h = stack.back();
     stack.pop_back();
     is_stacked[h] = false;
-    if(!needs_flip(t, h))
+    if(!needs_flip(t, h, direction))
       continue;
     const Index twin = t.twin[h];
     flips.push_back(flip(t, h));

@@ -15,9 +15,13 @@ namespace CGAL::Geodesic_processing::internal {
 CGAL_GEODESIC_PROCESSING_EXPORT
 void mollify(Surface_arrays& triangles, double slack);
 
+// The sum of opposite angles exceeds pi by at most this if edges are flipped until the mesh is
+// intrinsic Delaunay; many times the round-off error of a right angle.
+inline constexpr double delaunay_tolerance = 1e-12;
+
 // Returns whether flip_to_delaunay() flips no edge.
 CGAL_GEODESIC_PROCESSING_EXPORT
-bool is_delaunay(const Surface_arrays& triangles);
+bool is_delaunay(const Surface_arrays& triangles, double tolerance = delaunay_tolerance);
 
 // A flip of the edge ab of the triangles abc and bad to the edge cd.
 struct Edge_flip
@@ -27,12 +31,13 @@ struct Edge_flip
   double on_diagonal;   // the same on cd: 0 at c, 1 at d
 };
 
-// Flips edges of a mesh until it is intrinsic Delaunay: opposite angles sum to at most pi, up to
-// 1e-12, so that no cotangent weight is negative.  Changes corners, twins and lengths; the rings
-// become invalid.  Edges that have the same triangle at both halfedges are not flipped.  Returns
-// the flips in their order.
+// Flips edges of a mesh until opposite angles sum to at most pi plus `tolerance`, which is less than
+// pi / 2.  With the default, the mesh is then intrinsic Delaunay, and no cotangent weight is
+// negative.  Changes corners, twins and lengths; the rings become invalid.  Edges that have the same
+// triangle at both halfedges are not flipped.  Returns the flips in their order.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& triangles);
+std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& triangles,
+                                        double tolerance = delaunay_tolerance);
 
 // A bisection of a triangle abc at the midpoint of its edge ab.
 struct Bisection

@@ -223,6 +223,15 @@ TEST(Intrinsic_triangulation, of_delaunay_mesh_is_empty)
   EXPECT_TRUE(Intrinsic_triangulation(Array_surface(icosphere(3)).t()).is_empty());
 }
 
+TEST(Intrinsic_triangulation, uniformly_stretched_mesh_is_not_bisected)
+{
+  // Rectangles of 12 to 1: their diagonals are 3.5 times the root of the area per vertex, and no
+  // angles sum to more than pi.
+  const auto stretched = [](double u, double v) { return Point{12. * u, v, 0.}; };
+  const Array_surface surface(grid(30, 30, stretched, 0., 3));
+  EXPECT_TRUE(Intrinsic_triangulation(surface.t(), Bisected_edges::long_edges).is_empty());
+}
+
 TEST(Intrinsic_triangulation, handles_vertex_of_two_fans)
 {
   // Two flat rhombi that share a vertex only; the long diagonal of each is flipped.

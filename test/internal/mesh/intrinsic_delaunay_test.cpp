@@ -87,6 +87,23 @@ TEST(Intrinsic_delaunay, long_diagonal_is_flipped)
   EXPECT_NEAR(surface.scale() * *std::min_element(t.length.begin(), t.length.end()), 1., 1e-15);
 }
 
+TEST(Intrinsic_delaunay, edges_within_the_tolerance_are_kept)
+{
+  // A flat rhombus with the diagonals 2 and 2 * 0.9; its angles at the short one sum to 192 degrees.
+  const Triangulation rhombus = {{{-1., 0., 0.}, {1., 0., 0.}, {0., 0.9, 0.}, {0., -0.9, 0.}},
+                                 {0, 1, 2, 1, 0, 3}};
+  const Surface_arrays t = *Array_surface(rhombus).triangles();
+  const auto number_of_flips = [&](double tolerance)
+  {
+    Surface_arrays copy = t;
+    return flip_to_delaunay(copy, tolerance).size();
+  };
+  EXPECT_EQ(number_of_flips(11. * pi / 180.), 1u);
+  EXPECT_FALSE(is_delaunay(t, 11. * pi / 180.));
+  EXPECT_EQ(number_of_flips(13. * pi / 180.), 0u);
+  EXPECT_TRUE(is_delaunay(t, 13. * pi / 180.));
+}
+
 TEST(Intrinsic_delaunay, handles_triangles_that_share_two_edges)
 {
   // Two triangles with the same three vertices: a flip makes an edge with the same vertex at both

@@ -59,8 +59,7 @@ struct Front_state
   double slowness_in(Index triangle) const { return slowness ? (*slowness)[triangle] : 1.; }
 
   std::shared_ptr<const Surface_arrays> surface; // locations and speeds refer to it
-  // Of a Euclidean front on a mesh that is not intrinsic Delaunay or has long edges; otherwise
-  // null.
+  // Of a Euclidean front on a mesh with needles, caps or long edges; otherwise null.
   std::shared_ptr<const Intrinsic_triangulation> intrinsic_triangulation;
   // Of a Euclidean front on a mesh: for circular fronts, and for straight ones if there are speeds.
   std::shared_ptr<const Vertex_fans> circular_fans, split_fans;
