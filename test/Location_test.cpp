@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <list>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,6 +46,27 @@ TEST(Location, is_surfel_and_offset_on_clouds)
   EXPECT_TRUE((std::is_same_v<decltype(GP::Location<Points>::surfel), std::size_t>));
   const GP::Location<Points> location{3};
   EXPECT_EQ(location.offset, (std::array<double, 2>{0., 0.}));
+}
+
+template <typename Range>
+using Kernel_of = typename GP::Surfel_kernel<Range>::type;
+using Float_kernel = CGAL::Simple_cartesian<float>;
+
+struct Scanned_surfel
+{
+  using R = Float_kernel;
+  R::Point_3 point;
+};
+
+TEST(Location, kernel_of_range_is_that_of_its_elements)
+{
+  using Float_point = Float_kernel::Point_3;
+  EXPECT_TRUE((std::is_same_v<Kernel_of<Points>, Kernel>));
+  EXPECT_TRUE((std::is_same_v<Kernel_of<std::vector<Float_point>>, Float_kernel>));
+  EXPECT_TRUE((std::is_same_v<Kernel_of<std::list<std::tuple<Float_point, int>>>, Float_kernel>));
+  EXPECT_TRUE((std::is_same_v<Kernel_of<std::vector<Scanned_surfel>>, Float_kernel>));
+  using Traits = GP::internal::Surface_traits<std::vector<Scanned_surfel>>;
+  EXPECT_TRUE((std::is_same_v<Traits::Vector_3, Float_kernel::Vector_3>));
 }
 
 } // namespace Location_test

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
+#include <CGAL/Geodesic_processing/geodesic_path.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
@@ -12,6 +13,20 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+
+namespace Surfel_domain_test {
+
+// Indices of points that are stored elsewhere, so that their kernel must be named.
+struct Index_range : std::vector<std::size_t>
+{};
+
+} // namespace Surfel_domain_test
+
+template <>
+struct CGAL::Geodesic_processing::Surfel_kernel<Surfel_domain_test::Index_range>
+{
+  using type = CGAL::Simple_cartesian<float>;
+};
 
 namespace Surfel_domain_test {
 
@@ -99,6 +114,40 @@ TEST(Surfel_domain, reads_named_property_maps)
   EXPECT_GT(domain.triangles()->number_of_triangles(), 1600u);
   EXPECT_EQ(apart.triangles()->number_of_triangles(), 0u);
   EXPECT_TRUE(apart.triangles()->graph.target.empty());
+}
+
+// The path on a sphere between two surfels has points of the kernel of the range, near the sphere.
+template <typename Path>
+void expect_float_path(const Path& path)
+{
+  using Float_point = CGAL::Simple_cartesian<float>::Point_3;
+  static_assert(std::is_same_v<typename Path::Point_3, Float_point>);
+  ASSERT_GE(path.points.size(), 3u);
+  for(const Float_point& point : path.points)
+    EXPECT_NEAR(CGAL::to_double(CGAL::squared_distance(point, Float_point(0., 0., 0.))), 1., 0.05);
+}
+
+TEST(Surfel_domain, points_are_of_the_kernel_of_the_range)
+{
+  using Float_kernel = CGAL::Simple_cartesian<float>;
+  std::vector<std::pair<Float_kernel::Point_3, Float_kernel::Vector_3>> surfels;
+  std::vector<Float_kernel::Point_3> points;
+  std::vector<Float_kernel::Vector_3> normals;
+  Index_range range;
+  for(const auto& [point, normal] : sphere_surfels(3))
+  {
+    range.push_back(range.size());
+    points.emplace_back(float(point.x()), float(point.y()), float(point.z()));
+    normals.emplace_back(float(normal.x()), float(normal.y()), float(normal.z()));
+    surfels.emplace_back(points.back(), normals.back());
+  }
+  using Surfel = decltype(surfels)::value_type;
+  const auto pair_maps = GP::parameters::point_map(CGAL::First_of_pair_property_map<Surfel>())
+                             .normal_map(CGAL::Second_of_pair_property_map<Surfel>());
+  expect_float_path(GP::geodesic_path(surfels, std::size_t(0), std::size_t(100), pair_maps));
+  const auto index_maps = GP::parameters::point_map(CGAL::make_property_map(points))
+                              .normal_map(CGAL::make_property_map(normals));
+  expect_float_path(GP::geodesic_path(range, std::size_t(0), std::size_t(100), index_maps));
 }
 
 TEST(Surfel_domain, locations_round_trip)

@@ -18,6 +18,9 @@ property maps that are passed as named parameters:
 - `radius_map`: a readable property map whose values are floating point numbers. If it is not passed,
   radii are computed from the distances to neighboring surfels.
 
+Computed points and vectors are of the kernel of the elements. If the elements have none, it is named by
+`CGAL::Geodesic_processing::Surfel_kernel`.
+
 Sources and results use the position of a surfel in the range (`std::size_t`). If the range is a
 `CGAL::Point_set_3`, they use its own indices and property maps.
 

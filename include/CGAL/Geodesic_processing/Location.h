@@ -4,13 +4,13 @@
 #define CGAL_GEODESIC_PROCESSING_LOCATION_H
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -44,6 +44,55 @@ struct Is_cloud<Surface, std::void_t<decltype(std::declval<const Surface&>().beg
     : std::true_type
 {};
 
+// The kernel of elements for which it is unknown.  It compiles as long as no point is constructed.
+template <typename Element>
+struct Unknown_kernel
+{
+  struct Point_3
+  {
+    template <typename... Coordinates>
+    Point_3(const Coordinates&...)
+    {
+      static_assert(sizeof...(Coordinates) > 3, "The kernel of the surfels is unknown: specialize "
+                                                "CGAL::Geodesic_processing::Surfel_kernel.");
+    }
+  };
+  using Vector_3 = Point_3;
+};
+
+template <typename Element, typename = void>
+struct Element_kernel
+{
+  using type = Unknown_kernel<Element>;
+};
+template <typename Element>
+struct Element_kernel<Element, std::void_t<typename Element::R>>
+{
+  using type = typename Element::R;
+};
+template <typename First, typename Second>
+struct Element_kernel<std::pair<First, Second>> : Element_kernel<First>
+{};
+template <typename First, typename... Others>
+struct Element_kernel<std::tuple<First, Others...>> : Element_kernel<First>
+{};
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingDomain
+/// the kernel of the points and vectors that are computed on a range of surfels. It is the kernel of
+/// the elements if they are points of \cgal, or pairs or tuples that begin with such a point, or if
+/// they have a nested type `R`. For other ranges, for example of indices, specialize this struct
+/// before you call a function that returns points or vectors. Distances do not need it.
+template <typename SurfelRange>
+struct Surfel_kernel
+{
+  using type = typename internal::Element_kernel<
+      std::decay_t<decltype(*std::declval<const SurfelRange&>().begin())>>::type;
+};
+
+namespace internal {
+
 // The types of the vertices (or surfels), locations, points and vectors of a surface.
 template <typename Surface, bool is_cloud = Is_cloud<Surface>::value>
 struct Surface_traits
@@ -56,13 +105,13 @@ struct Surface_traits
   using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3;
 };
 
-template <typename Surface>
-struct Surface_traits<Surface, true>
+template <typename SurfelRange>
+struct Surface_traits<SurfelRange, true>
 {
   using Vertex = std::size_t;
   using Location = Surfel_location<Vertex>;
-  using Point_3 = Simple_cartesian<double>::Point_3;
-  using Vector_3 = Simple_cartesian<double>::Vector_3;
+  using Point_3 = typename Surfel_kernel<SurfelRange>::type::Point_3;
+  using Vector_3 = typename Surfel_kernel<SurfelRange>::type::Vector_3;
 };
 
 template <typename Point, typename Vector>

@@ -7,10 +7,9 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
-#include <CGAL/Polygon_mesh_processing/border.h>
-
 #include <cmath>
 #include <optional>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -61,20 +60,21 @@ private:
 
 /// \ingroup PkgGeodesicProcessingSources
 ///
-/// writes a `Source` for each boundary cycle of a triangle mesh: a closed polyline. O(n).
+/// writes a `Source` for each boundary cycle of a triangle mesh: a closed polyline. O(n + b log b)
+/// for b halfedges on the boundary.
 template <typename TriangleMesh, typename OutputIterator>
 OutputIterator border_sources(const TriangleMesh& mesh, OutputIterator out)
 {
-  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> loops;
-  Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(loops));
+  using Graph = boost::graph_traits<TriangleMesh>;
+  using Halfedge = typename Graph::halfedge_descriptor;
   // Returns the location of the target vertex of a boundary halfedge, in the face of the opposite
   // halfedge.
-  const auto location_at_end = [&](auto h)
+  const auto location_at_end = [&](Halfedge h)
   {
-    const auto inner = opposite(h, mesh); // starts at that vertex
+    const Halfedge inner = opposite(h, mesh); // starts at that vertex
     typename Source<TriangleMesh>::Location location;
     location.first = face(inner, mesh);
-    auto k = halfedge(location.first, mesh);
+    Halfedge k = halfedge(location.first, mesh);
     for(double& coordinate : location.second)
     {
       coordinate = k == inner ? 1. : 0.;
@@ -82,11 +82,17 @@ OutputIterator border_sources(const TriangleMesh& mesh, OutputIterator out)
     }
     return location;
   };
-  for(const auto loop : loops)
+  std::set<Halfedge> visited;
+  for(const Halfedge first : halfedges(mesh))
   {
+    if(face(first, mesh) != Graph::null_face() || visited.count(first) != 0)
+      continue;
     typename Source<TriangleMesh>::Polyline polyline;
-    for(auto h = loop; polyline.empty() || h != loop; h = next(h, mesh))
+    for(Halfedge h = first; polyline.empty() || h != first; h = next(h, mesh))
+    {
+      visited.insert(h);
       polyline.push_back(location_at_end(h));
+    }
     polyline.push_back(polyline.front());
     *out++ = Source<TriangleMesh>(std::move(polyline));
   }
