@@ -84,11 +84,13 @@ options=("-DGEODESIC_PROCESSING_CLIENT_OPTIONS=-O0;-g0" -DGEODESIC_PROCESSING_TE
 
 build_release()
 {
+  local targets=(all documentation) demos=OFF
+  [ $quick = 0 ] || targets+=(all_verify_interface_header_sets) demos=ON
   cmake -S . -B $release -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}" \
-    -DGEODESIC_PROCESSING_DEMOS=ON -DGEODESIC_PROCESSING_DOCS=ON \
+    -DGEODESIC_PROCESSING_DEMOS=$demos -DGEODESIC_PROCESSING_DOCS=ON \
     >build/release.log || { cat build/release.log; return 1; }
   tail -n 4 build/release.log
-  cmake --build $release -j "$jobs" -- -k 0
+  cmake --build $release -j "$jobs" --target "${targets[@]}" -- -k 0
 }
 
 # The library is optimized, otherwise the tests take longer than the build; the program is optimized
@@ -96,6 +98,7 @@ build_release()
 # (-Bsymbolic-functions): with the unoptimized copies of the tests, kernels are four times slower.
 # Assertions are enabled.  Only --all checks null pointers, object sizes and alignment: these checks
 # take a fifth of the build.  AddressSanitizer alone reports wrong accesses, except misaligned ones.
+# This build also compiles the demos and each header alone, because clang takes less time than gcc.
 build_sanitizer()
 {
   local omitted_checks=-fno-sanitize=null,object-size,alignment
@@ -108,9 +111,12 @@ build_sanitizer()
     -DBUILD_SHARED_LIBS=ON -DCMAKE_SHARED_LINKER_FLAGS=-Wl,-Bsymbolic-functions \
     "-DGEODESIC_PROCESSING_PROGRAM_OPTIONS=-O1;-g0" \
     -DGEODESIC_PROCESSING_PICTURES=OFF -DGEODESIC_PROCESSING_FUZZERS=ON \
-    >build/sanitizer.log ||
+    -DGEODESIC_PROCESSING_DEMOS=ON >build/sanitizer.log ||
     { cat build/sanitizer.log; return 1; }
-  cmake --build $sanitizer -j "$jobs" -- -k 0
+  local headers='/Geodesic_processing_verify_interface_header_sets.dir/.*\.o:'
+  at_least $min_headers "$(ninja -C $sanitizer -t targets all | grep -c "$headers")" \
+    "number of headers" &&
+    cmake --build $sanitizer -j "$jobs" --target all all_verify_interface_header_sets -- -k 0
 }
 
 # Builds the program of the README in a project that finds the installed package by find_package.
@@ -139,15 +145,6 @@ run_tests()
 {
   at_least "$2" "$(list_tests "$1" | wc -l)" "number of tests" &&
     ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs"
-}
-
-# Doxygen uses one processor, so it runs while the headers are compiled.
-check_headers_and_manual()
-{
-  local objects='/Geodesic_processing_verify_interface_header_sets.dir/.*\.o:'
-  at_least $min_headers "$(ninja -C $release -t targets all | grep -c "$objects")" \
-    "number of headers" &&
-    cmake --build $release -j "$jobs" --target documentation all_verify_interface_header_sets
 }
 
 check_hostile_files()
@@ -199,12 +196,11 @@ export ASAN_SYMBOLIZER_PATH=/usr/bin/llvm-symbolizer-14
 mkdir -p build
 step "packages" install_packages "${packages[@]}" || finish
 step "format" check_format
-if step "build" build_release; then
-  step "headers compile alone, manual" check_headers_and_manual
+if step "build, manual" build_release; then
   step "tests" run_tests $release $min_tests
   step "installed package" check_installed_package
 fi
-if [ $quick = 0 ] && step "sanitizer build" build_sanitizer; then
+if [ $quick = 0 ] && step "sanitizer build, headers" build_sanitizer; then
   # To start the threads of OpenBLAS takes half of the time that a small sanitized process takes.
   export OPENBLAS_NUM_THREADS=1
   step "tests, sanitized" run_tests $sanitizer $min_sanitized_tests
