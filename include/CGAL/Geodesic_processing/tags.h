@@ -28,8 +28,8 @@ struct Fast_marching
 /// selects a circular front: it crosses each triangle as a circle around an unfolded source. Each
 /// vertex stores the direction to its source.
 ///
-/// The triangles are those of an intrinsic triangulation with the metric of the mesh
-/// \cgalCite{cgal:fsbs-acidt-07}: edges are flipped if the opposite angles sum to more than 190
+/// The triangles are those of an intrinsic triangulation with the metric of the mesh.
+/// \cgalCite{cgal:fsbs-acidt-07} Edges are flipped if the opposite angles sum to more than 190
 /// degrees. Therefore needles and caps need no more time than other triangles. If an edge is longer
 /// than five times the root of the mean area per vertex, all edges longer than three times this
 /// root are bisected, because large triangles cause large errors. A mesh of few vertices counts as
