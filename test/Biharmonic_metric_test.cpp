@@ -64,7 +64,8 @@ TEST(Biharmonic_metric, distance_map_scales_with_mesh)
     auto map = vertex_map(mesh), parallel_map = vertex_map(mesh);
     const Vertex from(Mesh::size_type(7));
     metric.write_distances(from, map);
-    metric.write_distances<CGAL::Parallel_tag>(from, parallel_map, GP::parameters::threads(3));
+    metric.write_distances<CGAL::Parallel_tag>(from, parallel_map,
+                                               GP::parameters::number_of_threads(3));
     for(const Vertex v : mesh.vertices())
     {
       EXPECT_EQ(map[v], parallel_map[v]);

@@ -42,7 +42,7 @@ TEST(Earth_movers_solver, accepts_all_kinds_of_masses)
   const auto value = [&](const auto& from, const auto& to)
   {
     const GP::Earth_movers_cost cost = solver.compute(from, to);
-    EXPECT_TRUE(cost.converged);
+    EXPECT_TRUE(cost.is_converged);
     EXPECT_LE(cost.lower, cost.value);
     EXPECT_LE(cost.value, cost.upper);
     EXPECT_LE(cost.upper - cost.lower, relative_gap * cost.upper);
@@ -230,12 +230,12 @@ TEST(Earth_movers_solver, methods_agree)
   const auto warm_start = solver.compute<GP::Alternating_directions>(Vertex(0), Vertex(50),
                                                                      np.do_start_from_last(true));
   EXPECT_NEAR(warm_start.value, value, 0.01 * value);
-  EXPECT_LT(warm_start.iterations, cold_start.iterations);
+  EXPECT_LT(warm_start.number_of_iterations, cold_start.number_of_iterations);
   EXPECT_NEAR(solver.compute<GP::Weiszfeld>(Vertex(0), Vertex(50), np).value, value, 0.01 * value);
   const auto stopped =
       solver.compute(Vertex(0), Vertex(50), GP::parameters::maximum_number_of_iterations(2));
-  EXPECT_EQ(stopped.iterations, 2u);
-  EXPECT_FALSE(stopped.converged);
+  EXPECT_EQ(stopped.number_of_iterations, 2u);
+  EXPECT_FALSE(stopped.is_converged);
 }
 
 TEST(Earth_movers_solver, can_be_cancelled)

@@ -36,7 +36,7 @@ TEST(Region_transport_solver, finds_nearest_exit)
   const auto value = [&](const auto& from)
   {
     const GP::Earth_movers_cost cost = solver.compute(from);
-    EXPECT_TRUE(cost.converged);
+    EXPECT_TRUE(cost.is_converged);
     EXPECT_LE(cost.lower, cost.value);
     EXPECT_LE(cost.upper - cost.lower, relative_gap * cost.upper);
     return cost.value;
@@ -137,8 +137,8 @@ void expect_limits(double size)
   GP::Region_transport_solver<AnyMesh> solver(
       square.mesh, exits, GP::parameters::capacities(capacities).number_of_refinements(0u));
   const GP::Earth_movers_cost cost = solver.compute(vertex_at(5, 6));
-  EXPECT_TRUE(cost.converged);
-  EXPECT_LE(cost.iterations, 30);
+  EXPECT_TRUE(cost.is_converged);
+  EXPECT_LE(cost.number_of_iterations, 30);
   const double exact = size * (0.25 * 3. + 0.4 * 5. + 0.35 * 7.) / 12.;
   EXPECT_NEAR(cost.value, exact, relative_gap * exact);
   EXPECT_NEAR(solver.arrival(vertex_at(8, 6)), 0.25, 0.01); // the error that the gap allows

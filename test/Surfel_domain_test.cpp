@@ -176,7 +176,7 @@ TEST(Surfel_domain, result_is_independent_of_threads)
 {
   const Surfels surfels = sphere_surfels(4);
   const auto one = GP::Surfel_domain<Surfels>(surfels, maps).triangles(),
-             three = GP::Surfel_domain<Surfels>(surfels, maps.threads(3u)).triangles();
+             three = GP::Surfel_domain<Surfels>(surfels, maps.number_of_threads(3u)).triangles();
   EXPECT_EQ(one->corner, three->corner);
   EXPECT_EQ(one->length, three->length);
   EXPECT_EQ(one->graph.target, three->graph.target);

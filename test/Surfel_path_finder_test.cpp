@@ -213,7 +213,7 @@ void expect_path_points_near_surfels(const Point_set& points, int number_of_path
     tree.nearest(points_of_cloud, p, 7, neighbors);
     spacing.push_back(std::sqrt(neighbors.back().squared_distance));
   }
-  GP::Surfel_path_finder<Point_set> finder(points, GP::parameters::threads(2));
+  GP::Surfel_path_finder<Point_set> finder(points, GP::parameters::number_of_threads(2));
   std::mt19937 random(1);
   for(int i = 0; i < number_of_paths; ++i)
   {
@@ -303,9 +303,9 @@ TEST(Surfel_path_finder, is_robust_to_strong_noise)
 TEST(Surfel_path_finder, copies_share_fitted_cloud)
 {
   const Surfels surfels = sphere_surfels(2);
-  GP::Surfel_path_finder<Surfels> finder(
-      surfels,
-      maps.surfel_graph(GP::Surfel_graph::nearest).threads(2).surfel_noise(GP::Surfel_noise::kept));
+  GP::Surfel_path_finder<Surfels> finder(surfels, maps.surfel_graph(GP::Surfel_graph::nearest)
+                                                      .number_of_threads(2)
+                                                      .surfel_noise(GP::Surfel_noise::kept));
   auto copy = finder;
   EXPECT_EQ(&copy.kernel().fitted_cloud()->cloud(), &finder.kernel().fitted_cloud()->cloud());
   EXPECT_EQ(copy(std::size_t(1), std::size_t(90)).length,

@@ -36,7 +36,7 @@ TEST(Transport_barycenter_solver, finds_midpoint_of_two_points)
   const std::vector<Vertex> points = {at(1, 2), at(9, 8)};
   const GP::Transport_barycenter_cost cost = solver.compute(points);
   const double exact = 0.5 * (std::pow(8. / 12., 2) + std::pow(6. / 12., 2)); // d^2 / 2
-  EXPECT_TRUE(cost.converged);
+  EXPECT_TRUE(cost.is_converged);
   EXPECT_GE(cost.lower, (1. - relative_gap) * cost.upper);
   EXPECT_LE(cost.lower, exact * (1. + 1e-9));
   EXPECT_GE(cost.upper, exact * (1. - 1e-9));
@@ -93,7 +93,7 @@ TEST(Transport_barycenter_solver, accepts_all_kinds_of_masses)
   // Locations inside faces.
   const std::vector<std::pair<Face, std::array<double, 3>>> locations = {
       location_of(0, {0.2, 0.3, 0.5}), location_of(100, {1., 0., 0.})};
-  EXPECT_TRUE(solver.compute(locations).converged);
+  EXPECT_TRUE(solver.compute(locations).is_converged);
 }
 
 // Returns the cost of the barycenter of three points, for any type and size of mesh.
@@ -152,7 +152,7 @@ TEST(Transport_barycenter_solver, works_on_clouds)
   GP::Transport_barycenter_solver<CGAL::Point_set_3<Kernel::Point_3>> solver(
       cloud, GP::parameters::number_of_refinements(0u));
   const auto cost = solver.compute(std::vector<Index>{Index(0), Index(700)});
-  EXPECT_TRUE(cost.converged);
+  EXPECT_TRUE(cost.is_converged);
   const auto p = cloud.point(Index(0)), q = cloud.point(Index(700));
   const double d = std::acos((p - CGAL::ORIGIN) * (q - CGAL::ORIGIN));
   // Distances on this cloud are up to 0.5 % too short, their squares up to 1 %.
@@ -243,8 +243,8 @@ TEST(Transport_barycenter_solver, warm_start_saves_iterations)
   GP::Transport_barycenter_solver<Mesh> solver(mesh);
   const auto cost = solver.compute(points);
   const auto warm_started = solver.compute(points, GP::parameters::do_start_from_last(true));
-  EXPECT_LT(warm_started.iterations, cost.iterations);
-  EXPECT_TRUE(warm_started.converged);
+  EXPECT_LT(warm_started.number_of_iterations, cost.number_of_iterations);
+  EXPECT_TRUE(warm_started.is_converged);
   EXPECT_THROW(
       solver.compute(std::vector<Vertex>{Vertex(0)}, GP::parameters::do_start_from_last(true)),
       GP::Invalid_argument_error);
@@ -253,8 +253,8 @@ TEST(Transport_barycenter_solver, warm_start_saves_iterations)
                GP::Cancelled);
   const auto few_iterations =
       solver.compute(points, GP::parameters::maximum_number_of_iterations(10u));
-  EXPECT_EQ(few_iterations.iterations, 10u);
-  EXPECT_FALSE(few_iterations.converged);
+  EXPECT_EQ(few_iterations.number_of_iterations, 10u);
+  EXPECT_FALSE(few_iterations.is_converged);
 }
 
 TEST(Transport_barycenter_solver, throws_on_invalid_input)

@@ -42,14 +42,14 @@ void expect_consistent_metric(const Domain& domain,
     const Eigen::MatrixXd d = metric.distance_matrix(locations, tolerance);
     ASSERT_EQ(d.rows(), Eigen::Index(locations.size()));
     EXPECT_EQ(d, Eigen::MatrixXd(d.transpose()));
-    EXPECT_EQ(d, (metric.template distance_matrix<CGAL::Parallel_tag>(locations, tolerance,
-                                                                      GP::parameters::threads(3))));
+    EXPECT_EQ(d, (metric.template distance_matrix<CGAL::Parallel_tag>(
+                     locations, tolerance, GP::parameters::number_of_threads(3))));
     for(Eigen::Index i = 0; i < d.rows(); ++i)
       for(Eigen::Index j = 0; j < d.cols(); ++j)
       {
         const GP::Earth_movers_cost cost =
             metric.cost(locations[i], locations[j], GP::parameters::tolerance(tolerance));
-        EXPECT_TRUE(cost.converged);
+        EXPECT_TRUE(cost.is_converged);
         EXPECT_LE(cost.upper - cost.lower, tolerance * cost.upper);
         EXPECT_LT(cost.residual, 1e-9); // round-off errors with some hundred unknowns
         EXPECT_EQ(metric.distance(locations[i], locations[j], tolerance), cost.value);
@@ -77,7 +77,8 @@ void expect_map_matches_pairs(const GP::Transport_metric<Surface>& metric, Map m
   }
   EXPECT_LT(sum / double(keys.size()), 0.01);
   const std::vector<double> previous_upper = {get(map, keys[1]), get(map, keys.back())};
-  metric.template write_distances<CGAL::Parallel_tag>(keys[0], map, GP::parameters::threads(3));
+  metric.template write_distances<CGAL::Parallel_tag>(keys[0], map,
+                                                      GP::parameters::number_of_threads(3));
   EXPECT_EQ(get(map, keys[1]), previous_upper[0]);
   EXPECT_EQ(get(map, keys.back()), previous_upper[1]);
 }
@@ -263,9 +264,9 @@ TEST(Transport_metric, bounds_hold_if_stopped)
       Vertex(0), Vertex(70), GP::parameters::maximum_number_of_iterations(8u).tolerance(1e-6));
   const GP::Earth_movers_cost complete =
       metric.cost(Vertex(0), Vertex(70), GP::parameters::tolerance(1e-6));
-  EXPECT_EQ(stopped.iterations, 8u);
-  EXPECT_FALSE(stopped.converged);
-  EXPECT_TRUE(complete.converged);
+  EXPECT_EQ(stopped.number_of_iterations, 8u);
+  EXPECT_FALSE(stopped.is_converged);
+  EXPECT_TRUE(complete.is_converged);
   EXPECT_LE(stopped.lower, complete.upper);
   EXPECT_LE(complete.lower, stopped.upper);
   int number_of_calls = 0;
@@ -284,7 +285,7 @@ TEST(Transport_metric, is_infinite_between_components)
   {
     const GP::Transport_metric<Mesh> metric(mesh, k);
     EXPECT_EQ(metric.distance(ball, ring), infinity);
-    EXPECT_TRUE(metric.cost(ball, ring).converged);
+    EXPECT_TRUE(metric.cost(ball, ring).is_converged);
     EXPECT_EQ(metric.distance_matrix(std::vector{ball, ring})(0, 1), infinity);
     auto map = vertex_map(mesh);
     metric.write_distances(ring, map);

@@ -85,7 +85,7 @@ TEST(Volumetric_metric, is_metric_above_euclidean_distance)
       {
         d[i].push_back(metric.cost(points[i], points[j]));
         const GP::Earth_movers_cost& cost = d[i][j];
-        EXPECT_TRUE(cost.converged);
+        EXPECT_TRUE(cost.is_converged);
         EXPECT_LE(cost.upper - cost.lower, relative_gap * cost.upper);
         EXPECT_GE(cost.lower, euclidean_distance(points[i], points[j]));
         EXPECT_EQ(i == j, cost.upper == 0.);
@@ -177,11 +177,12 @@ TEST(Volumetric_metric, one_to_many_error_is_below_one_percent)
   const Point_3 from(0.5, 1., 7.5);
   const std::vector<Point_3> to = random_points(60, 5.);
   const auto found = metric.costs(from, to);
-  const auto parallel = metric.costs<CGAL::Parallel_tag>(from, to, GP::parameters::threads(3));
+  const auto parallel =
+      metric.costs<CGAL::Parallel_tag>(from, to, GP::parameters::number_of_threads(3));
   ASSERT_EQ(found.size(), to.size());
   for(std::size_t i = 0; i < to.size(); ++i)
   {
-    EXPECT_TRUE(found[i].converged);
+    EXPECT_TRUE(found[i].is_converged);
     EXPECT_EQ(found[i].value, parallel[i].value);
     if(i % 6 == 0)
     {

@@ -141,7 +141,7 @@ TEST(Callback, cancels_matrices)
                       [&](const auto& np)
                       {
                         GP::geodesic_distance_matrix<GP::Exact, CGAL::Parallel_tag>(
-                            mesh, mesh.vertices(), np.threads(3u));
+                            mesh, mesh.vertices(), np.number_of_threads(3u));
                       });
   expect_cancellation("sparse matrix", [&](const auto& np)
                       { GP::sparse_geodesic_distance_matrix(mesh, mesh.vertices(), 0.5, np); });
@@ -156,7 +156,7 @@ TEST(Callback, cancels_matrices)
   expect_cancellation_of_map(
       "transport map, threads", mesh,
       [&](auto map, const auto& np)
-      { metric.write_distances<CGAL::Parallel_tag>(Vertex(0), map, np.threads(3u)); });
+      { metric.write_distances<CGAL::Parallel_tag>(Vertex(0), map, np.number_of_threads(3u)); });
 }
 
 TEST(Callback, cancels_sampling)

@@ -30,7 +30,7 @@ void expect_lower_bound_of_exact(Mesh& mesh, const Feature& feature,
 {
   auto found = vertex_map(mesh), exact = mesh.add_property_map<Vertex, double>("v:exact").first;
   const GP::Earth_movers_cost cost = GP::feature_distance(mesh, feature, found);
-  EXPECT_TRUE(cost.converged);
+  EXPECT_TRUE(cost.is_converged);
   GP::geodesic_distances<GP::Exact>(mesh, feature, exact);
   double largest = 0., mean_difference = 0.;
   for(const Vertex v : vertices(mesh))
@@ -119,7 +119,7 @@ TEST(Feature_distance, is_exact_for_straight_lines)
       const GP::Earth_movers_cost cost =
           GP::feature_distance(mesh, zero_set(mesh, height), found,
                                GP::parameters::tolerance(1e-8).number_of_refinements(0u));
-      EXPECT_TRUE(cost.converged);
+      EXPECT_TRUE(cost.is_converged);
       for(const Vertex v : vertices(mesh))
         EXPECT_NEAR(found[v], std::abs(height(mesh.point(v))), 1e-5 * scale);
     }
@@ -204,7 +204,7 @@ TEST(Feature_distance, is_infinite_if_unreachable)
   Mesh mesh = mesh_of(disjoint_union(square(4), square(4)));
   const Vertex isolated = mesh.add_vertex(Kernel::Point_3(0., 0., 9.));
   auto found = vertex_map(mesh);
-  EXPECT_TRUE(GP::feature_distance(mesh, Vertex(0), found).converged);
+  EXPECT_TRUE(GP::feature_distance(mesh, Vertex(0), found).is_converged);
   EXPECT_NEAR(found[Vertex(4)], 1., 0.05); // a fraction of an edge length
   EXPECT_EQ(found[Vertex(30)], infinity);
   EXPECT_EQ(found[isolated], infinity);

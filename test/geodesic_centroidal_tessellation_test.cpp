@@ -150,12 +150,12 @@ TEST(Geodesic_centroidal_tessellation, cloud_result_is_independent_of_threads)
   for(const Point& p : sphere.points)
     cloud.insert({p[0], p[1], p[2]}, {p[0], p[1], p[2]});
   std::vector<std::vector<std::size_t>> found;
-  for(const unsigned threads : {1u, 2u})
+  for(const unsigned number_of_threads : {1u, 2u})
   {
     const auto label = cloud.add_property_map<std::size_t>("label", no_label).first;
     const std::size_t cells =
         GP::geodesic_centroidal_tessellation<GP::Euclidean_front, CGAL::Parallel_tag>(
-            cloud, 20, label, GP::parameters::threads(threads));
+            cloud, 20, label, GP::parameters::number_of_threads(number_of_threads));
     EXPECT_EQ(cells, 20u);
     found.emplace_back();
     for(const auto& surfel : cloud)

@@ -51,7 +51,7 @@ TEST(Geodesic_distance_matrix, accepts_relative_tolerance)
   const Eigen::MatrixXd exact = GP::geodesic_distance_matrix(mesh, queries),
                         d = GP::geodesic_distance_matrix<GP::Automatic, CGAL::Parallel_tag>(
                             mesh, queries,
-                            GP::parameters::relative_tolerance(tolerance).threads(2));
+                            GP::parameters::relative_tolerance(tolerance).number_of_threads(2));
   EXPECT_NE(d, exact);
   // An entry is the mean of two bounds whose relative difference is at most the tolerance.
   for(Eigen::Index i = 0; i < d.rows(); ++i)
@@ -96,7 +96,7 @@ TEST(Geodesic_distance_matrix, has_one_column_per_target)
 template <typename Method, typename Domain, typename Queries>
 void expect_independent_of_threads(const Domain& domain, const Queries& queries)
 {
-  const auto three = GP::parameters::threads(3);
+  const auto three = GP::parameters::number_of_threads(3);
   const Eigen::MatrixXd alone = GP::geodesic_distance_matrix<Method>(domain, queries);
   EXPECT_EQ(alone,
             (GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, queries, three)));
@@ -197,11 +197,11 @@ TEST(Geodesic_distance_matrix, is_infinite_between_components)
 TEST(Geodesic_distance_matrix, callback_cancels)
 {
   const Mesh mesh = mesh_of(icosphere(2));
-  for(const unsigned threads : {1u, 3u})
+  for(const unsigned number_of_threads : {1u, 3u})
   {
     std::atomic<int> calls{0};
-    const auto np = GP::parameters::threads(threads).callback(
-        std::function<bool(double)>([&](double) { return ++calls < 5; }));
+    const auto np = GP::parameters::number_of_threads(number_of_threads)
+                        .callback(std::function<bool(double)>([&](double) { return ++calls < 5; }));
     EXPECT_THROW(
         (GP::geodesic_distance_matrix<GP::Exact, CGAL::Parallel_tag>(mesh, mesh.vertices(), np)),
         GP::Cancelled);

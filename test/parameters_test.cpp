@@ -17,7 +17,7 @@ void expect_values(const NamedParameters& np)
 {
   EXPECT_EQ(GP::internal::parameter(np, GP::internal_np::maximum_distance, 0.), 0.5);
   EXPECT_EQ(GP::internal::parameter(np, CGAL::internal_np::vertex_point, std::string()), "points");
-  EXPECT_EQ(GP::internal::parameter(np, GP::internal_np::threads, 1u), 3u);
+  EXPECT_EQ(GP::internal::parameter(np, GP::internal_np::number_of_threads, 1u), 3u);
   EXPECT_TRUE((GP::internal::has_parameter<NamedParameters, GP::internal_np::threads_t>));
   EXPECT_FALSE((GP::internal::has_parameter<NamedParameters, GP::internal_np::targets_t>));
   EXPECT_EQ(GP::internal::parameter(np, GP::internal_np::targets, 7), 7);
@@ -26,14 +26,18 @@ void expect_values(const NamedParameters& np)
 TEST(Parameters, chain_with_cgal_parameters_in_any_order)
 {
   const std::string points = "points";
-  expect_values(GP::parameters::maximum_distance(0.5).vertex_point_map(points).threads(3u));
-  expect_values(GP::parameters::maximum_distance(0.5).threads(3u).vertex_point_map(points));
-  expect_values(GP::parameters::vertex_point_map(points).maximum_distance(0.5).threads(3u));
-  expect_values(GP::parameters::threads(3u).vertex_point_map(points).maximum_distance(0.5));
+  expect_values(
+      GP::parameters::maximum_distance(0.5).vertex_point_map(points).number_of_threads(3u));
+  expect_values(
+      GP::parameters::maximum_distance(0.5).number_of_threads(3u).vertex_point_map(points));
+  expect_values(
+      GP::parameters::vertex_point_map(points).maximum_distance(0.5).number_of_threads(3u));
+  expect_values(
+      GP::parameters::number_of_threads(3u).vertex_point_map(points).maximum_distance(0.5));
   // A chain that begins with CGAL's parameters can be continued after chain() wraps it.
   expect_values(GP::internal::chain(CGAL::parameters::vertex_point_map(points))
                     .maximum_distance(0.5)
-                    .threads(3u));
+                    .number_of_threads(3u));
 }
 
 TEST(Parameters, are_independent)
@@ -44,7 +48,7 @@ TEST(Parameters, are_independent)
                       .source_label_map(4)
                       .predecessor_map(5)
                       .radius_map(6)
-                      .threads(7)
+                      .number_of_threads(7)
                       .covering_radius(16)
                       .covering_radius_output(17)
                       .first_samples(18)
@@ -68,7 +72,7 @@ TEST(Parameters, are_independent)
   EXPECT_EQ(GP::internal::parameter(np, ours::source_label_map, 0), 4);
   EXPECT_EQ(GP::internal::parameter(np, ours::predecessor_map, 0), 5);
   EXPECT_EQ(GP::internal::parameter(np, ours::radius_map, 0), 6);
-  EXPECT_EQ(GP::internal::parameter(np, ours::threads, 0), 7);
+  EXPECT_EQ(GP::internal::parameter(np, ours::number_of_threads, 0), 7);
   EXPECT_EQ(GP::internal::parameter(np, ours::covering_radius, 0), 16);
   EXPECT_EQ(GP::internal::parameter(np, ours::covering_radius_output, 0), 17);
   EXPECT_EQ(GP::internal::parameter(np, ours::first_samples, 0), 18);

@@ -70,8 +70,9 @@ TEST(Principal_curvatures, have_opposite_signs_on_a_saddle)
     for(auto& [point, normal] : scaled)
       point = CGAL::ORIGIN + scale * (point - CGAL::ORIGIN);
     std::vector<GP::Principal_curvatures<Surfels>> found(surfels.size());
-    GP::principal_curvatures<CGAL::Parallel_tag>(scaled, CGAL::make_property_map(found),
-                                                 maps.ball_radius(0.25 * scale).threads(2));
+    GP::principal_curvatures<CGAL::Parallel_tag>(
+        scaled, CGAL::make_property_map(found),
+        maps.ball_radius(0.25 * scale).number_of_threads(2));
     // x y is quadratic. A ball of radius 0.25 adds errors of fourth order.
     EXPECT_NEAR(scale * found[0].min_curvature, -1., 0.03);
     EXPECT_NEAR(scale * found[0].max_curvature, 1., 0.03);

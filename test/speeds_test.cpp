@@ -75,7 +75,8 @@ TEST(Curvature_speeds, agree_on_meshes_and_clouds)
   fill(polyhedron, sphere);
   std::map<Numbered<CGAL::Polyhedron_3<Kernel>>::Vertex, double> on_polyhedron;
   GP::curvature_speeds<GP::Edge_attractive, CGAL::Parallel_tag>(
-      polyhedron.mesh, boost::make_assoc_property_map(on_polyhedron), GP::parameters::threads(2));
+      polyhedron.mesh, boost::make_assoc_property_map(on_polyhedron),
+      GP::parameters::number_of_threads(2));
   for(Index i = 0; i < sphere.points.size(); ++i)
     EXPECT_EQ(on_polyhedron[polyhedron.vertices[i]], on_mesh[i]);
 
@@ -123,7 +124,7 @@ TEST(Similar_curvature_speeds, decrease_with_mean_curvature_difference)
     }
     const auto before = values(mesh, speed);
     GP::similar_curvature_speeds<CGAL::Parallel_tag>(mesh, inside, speed,
-                                                     GP::parameters::threads(2));
+                                                     GP::parameters::number_of_threads(2));
     EXPECT_EQ(values(mesh, speed), before);
     GP::similar_curvature_speeds(mesh, inside, speed, GP::parameters::strength(0));
     EXPECT_EQ(speed[outside], 1.);

@@ -33,8 +33,8 @@ TEST(surfel_geodesic_path, is_independent_of_number_of_threads)
   for(std::size_t i = 0; i < 40; ++i)
     pairs.emplace_back(i, 600 - 7 * i);
   const auto one = GP::surfel_geodesic_paths(finder, pairs),
-             three = GP::surfel_geodesic_paths<CGAL::Parallel_tag>(finder, pairs,
-                                                                   GP::parameters::threads(3u));
+             three = GP::surfel_geodesic_paths<CGAL::Parallel_tag>(
+                 finder, pairs, GP::parameters::number_of_threads(3u));
   auto copy = finder;
   ASSERT_EQ(one.size(), pairs.size());
   for(std::size_t i = 0; i < pairs.size(); ++i)

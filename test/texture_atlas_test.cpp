@@ -122,7 +122,7 @@ TEST(texture_atlas, is_independent_of_threads)
   std::map<Mesh::Halfedge_index, UV> one, three;
   GP::texture_atlas(mesh, 9, boost::make_assoc_property_map(one));
   GP::texture_atlas<GP::Euclidean_front, CGAL::Parallel_tag>(
-      mesh, 9, boost::make_assoc_property_map(three), GP::parameters::threads(3));
+      mesh, 9, boost::make_assoc_property_map(three), GP::parameters::number_of_threads(3));
   EXPECT_EQ(one, three);
 }
 

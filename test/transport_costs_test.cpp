@@ -15,7 +15,7 @@ TEST(transport_costs, continuous_bound_is_infinite_by_default)
   const GP::Earth_movers_cost cost;
   EXPECT_EQ(cost.upper_continuous, std::numeric_limits<double>::infinity());
   EXPECT_EQ(cost.value, 0.);
-  EXPECT_FALSE(cost.converged);
+  EXPECT_FALSE(cost.is_converged);
   EXPECT_TRUE(GP::Transport_barycenter_cost().distances.empty());
 }
 

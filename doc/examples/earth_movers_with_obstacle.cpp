@@ -66,12 +66,12 @@ int main()
                                         GP::parameters::do_normalize(true));
   std::cout << "The mean way of the heap's sand is " << heap_cost.value << " long, to "
             << 100. * (heap_cost.upper - heap_cost.lower) / heap_cost.upper << " percent, found in "
-            << heap_cost.iterations << " steps.\n";
+            << heap_cost.number_of_iterations << " steps.\n";
 
   // The flow must be zero inside the wall.
   auto flow = yard.add_property_map<Face, Vector>("f:flow").first;
   solver.write_flow(flow);
   for(Face f : yard.faces())
     is_correct = is_correct && (speed[f] > 0. || flow[f] == CGAL::NULL_VECTOR);
-  return is_correct && heap_cost.converged ? EXIT_SUCCESS : EXIT_FAILURE;
+  return is_correct && heap_cost.is_converged ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -47,7 +47,7 @@ int main()
   auto water = field.add_property_map<Vertex, double>("v:water").first;
   const GP::Transport_barycenter_cost cost = GP::transport_barycenter(field, houses, water);
   std::cout << "Water in many places costs " << cost.lower << " to " << cost.upper << ".\n";
-  is_correct = is_correct && cost.converged && cost.lower < well.value + 1e-9 &&
+  is_correct = is_correct && cost.is_converged && cost.lower < well.value + 1e-9 &&
                cost.upper > well.value - 1e-9;
 
   // The weight of the third house equals the sum of the two others.

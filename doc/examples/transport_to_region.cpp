@@ -65,7 +65,7 @@ int main()
   auto distance_to_door = floor_plan.add_property_map<Vertex, double>("v:way").first;
   is_correct =
       is_correct &&
-      GP::feature_distance(floor_plan, doors, distance_to_door, speed_parameters).converged;
+      GP::feature_distance(floor_plan, doors, distance_to_door, speed_parameters).is_converged;
   double longest = 0.;
   for(Vertex v : floor_plan.vertices())
     if(std::isfinite(distance_to_door[v]))

@@ -74,7 +74,7 @@ int main()
   for(const GP::Earth_movers_cost& bounds : metric.costs<CGAL::Parallel_tag>(p, slice))
   {
     largest = (std::max)(largest, bounds.value);
-    is_correct = is_correct && bounds.converged;
+    is_correct = is_correct && bounds.is_converged;
   }
   std::cout << "Of " << slice.size() << " points the farthest is at " << largest << ".\n";
   return is_correct && cost.lower >= std::sqrt(CGAL::squared_distance(p, q)) && largest > cost.lower

@@ -206,7 +206,7 @@ Curvature fit_curvature(const Surface_arrays& t, const std::vector<Index>& ball)
 } // namespace
 
 std::vector<Curvature> curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
-                                  double radius, unsigned threads)
+                                  double radius, unsigned number_of_threads)
 {
   const Surface_arrays& t = *triangles;
   std::vector<Curvature> result(t.number_of_vertices());
@@ -215,7 +215,7 @@ std::vector<Curvature> curvatures(const std::shared_ptr<const Surface_arrays>& t
   // fronts do, which takes milliseconds for each vertex of a Schwarz lantern.  On clouds, edges in
   // many directions make Dijkstra's algorithm accurate enough.
   const Front_kind kind = t.is_cloud() ? Front_kind::dijkstra : Front_kind::planar;
-  for_each_row(Front(triangles, kind), result.size(), {}, threads,
+  for_each_row(Front(triangles, kind), result.size(), {}, number_of_threads,
                [&](std::size_t i, Front& front, Front_limits limits)
                {
                  const Index v = Index(i);

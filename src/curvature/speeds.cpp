@@ -34,13 +34,14 @@ double doubled_area(const Surface_arrays& t, Index triangle)
 // Returns sqrt(area) * function(min_curvature, max_curvature) of each vertex, bounded.
 template <typename Function>
 std::vector<double> map_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
-                                   double radius, unsigned threads, const Function& function)
+                                   double radius, unsigned number_of_threads,
+                                   const Function& function)
 {
   double area = 0.;
   for(Index f = 0; f < triangles->number_of_triangles(); ++f)
     area += 0.5 * doubled_area(*triangles, f);
   std::vector<double> result;
-  for(const Curvature& curvature : curvatures(triangles, radius, threads))
+  for(const Curvature& curvature : curvatures(triangles, radius, number_of_threads))
     result.push_back(
         std::clamp(std::sqrt(area) * function(curvature.min_curvature, curvature.max_curvature),
                    -max_curvature_bound, max_curvature_bound));
@@ -50,17 +51,17 @@ std::vector<double> map_curvatures(const std::shared_ptr<const Surface_arrays>& 
 } // namespace
 
 std::vector<double> total_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
-                                     double radius, unsigned threads)
+                                     double radius, unsigned number_of_threads)
 {
-  return map_curvatures(triangles, radius, threads,
+  return map_curvatures(triangles, radius, number_of_threads,
                         [](double min_curvature, double max_curvature)
                         { return std::abs(min_curvature) + std::abs(max_curvature); });
 }
 
 std::vector<double> doubled_mean_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
-                                            double radius, unsigned threads)
+                                            double radius, unsigned number_of_threads)
 {
-  return map_curvatures(triangles, radius, threads,
+  return map_curvatures(triangles, radius, number_of_threads,
                         [](double min_curvature, double max_curvature)
                         { return min_curvature + max_curvature; });
 }

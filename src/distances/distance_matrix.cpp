@@ -19,11 +19,12 @@ namespace {
 // Calls for_each_row() with the type of the engine.
 template <typename Row>
 bool for_each_row_with(const Row_engine& engine, std::size_t number_of_rows,
-                       const Front_limits& limits, unsigned threads, const Row& row)
+                       const Front_limits& limits, unsigned number_of_threads, const Row& row)
 {
-  return std::visit([&](const auto* row_engine)
-                    { return for_each_row(*row_engine, number_of_rows, limits, threads, row); },
-                    engine);
+  return std::visit(
+      [&](const auto* row_engine)
+      { return for_each_row(*row_engine, number_of_rows, limits, number_of_threads, row); },
+      engine);
 }
 
 } // namespace
@@ -31,11 +32,11 @@ bool for_each_row_with(const Row_engine& engine, std::size_t number_of_rows,
 Eigen::MatrixXd distance_matrix(const Row_engine& engine, double scale,
                                 const std::vector<Front_source>& from,
                                 const std::vector<Surface_location>& to, const Front_limits& limits,
-                                unsigned threads)
+                                unsigned number_of_threads)
 {
   Eigen::MatrixXd result(from.size(), to.size());
   const bool is_complete = for_each_row_with(
-      engine, from.size(), limits, threads,
+      engine, from.size(), limits, number_of_threads,
       [&](std::size_t row, auto& row_engine, const Front_limits& row_limits)
       {
         row_engine.run({from[row]}, row_limits);
@@ -50,7 +51,7 @@ Eigen::MatrixXd distance_matrix(const Row_engine& engine, double scale,
 Eigen::SparseMatrix<double, Eigen::RowMajor>
 sparse_distance_matrix(const Row_engine& engine, double scale,
                        const std::vector<Front_source>& from, const std::vector<Index>& column,
-                       const Front_limits& limits, unsigned threads)
+                       const Front_limits& limits, unsigned number_of_threads)
 {
   using Entry = std::pair<Index, double>; // column, distance
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -59,7 +60,7 @@ sparse_distance_matrix(const Row_engine& engine, double scale,
   std::vector<std::vector<Entry>> rows(from.size());
   std::atomic<std::size_t> number_of_entries{0}; // of all rows computed so far
   const bool is_complete = for_each_row_with(
-      engine, from.size(), limits, threads,
+      engine, from.size(), limits, number_of_threads,
       [&](std::size_t i, auto& row_engine, const Front_limits& row_limits)
       {
         row_engine.run({from[i]}, row_limits);

@@ -21,7 +21,7 @@ namespace CGAL::Geodesic_processing::internal {
 // rows done, from one thread at a time.  Returns false if it cancelled.
 template <typename Engine, typename Row>
 bool for_each_row(const Engine& engine, std::size_t number_of_rows, Front_limits limits,
-                  unsigned threads, const Row& row)
+                  unsigned number_of_threads, const Row& row)
 {
   std::mutex mutex;
   std::vector<std::unique_ptr<Engine>> idle_engines;
@@ -31,7 +31,7 @@ bool for_each_row(const Engine& engine, std::size_t number_of_rows, Front_limits
   if(callback)
     limits.callback = [&](double) { return !is_cancelled; };
 
-  for_each_block(number_of_rows, 1, threads,
+  for_each_block(number_of_rows, 1, number_of_threads,
                  [&](std::size_t i, std::size_t, std::size_t)
                  {
                    std::unique_ptr<Engine> thread_engine;

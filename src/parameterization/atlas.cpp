@@ -99,7 +99,7 @@ Atlas make_atlas(std::shared_ptr<const Surface_arrays> triangles, const Front& f
   check_fits(number_of_patches, options.texels, options.gutter);
 
   Chart_options flattening = options.charts;
-  flattening.threads = tessellation.threads;
+  flattening.number_of_threads = tessellation.number_of_threads;
   flattening.callback = subrange(0.4, 0.8);
   const std::vector<Chart> charts =
       injective_charts(t, result.chart, number_of_patches, flattening);
@@ -112,7 +112,7 @@ Atlas make_atlas(std::shared_ptr<const Surface_arrays> triangles, const Front& f
   for(const Chart& chart : charts)
     outlines.push_back(outline(chart));
   const Packing packing =
-      pack(outlines, options.texels, options.gutter, options.tessellation.threads);
+      pack(outlines, options.texels, options.gutter, options.tessellation.number_of_threads);
   result.texels_per_length = packing.scale;
   place_charts(t, charts, packing, options.texels, result);
   return result;

@@ -240,7 +240,7 @@ std::vector<Chart> injective_charts(const Surface_arrays& t, const std::vector<I
   while(!queue.empty())
   {
     std::vector<std::vector<Chart>> pieces(queue.size());
-    for_each_block(queue.size(), 1, options.threads,
+    for_each_block(queue.size(), 1, options.number_of_threads,
                    [&](std::size_t i, std::size_t, std::size_t)
                    { pieces[i] = flatten_chart(queue[i], options); });
     std::vector<Chart> next;

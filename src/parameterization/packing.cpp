@@ -392,7 +392,7 @@ void check_fits(std::size_t number_of_outlines, std::size_t texels, std::size_t 
 }
 
 Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size_t gutter,
-             unsigned threads)
+             unsigned number_of_threads)
 {
   check_fits(outlines.size(), texels, gutter);
   const Packer packer(outlines, texels, gutter);
@@ -423,7 +423,7 @@ Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size
   {
     std::array<std::optional<Packing>, 2> found;
     const double step = (high - low) / 3.;
-    for_each_block(2, 1, threads,
+    for_each_block(2, 1, number_of_threads,
                    [&](std::size_t i, std::size_t, std::size_t)
                    { found[i] = packer.pack_at_scale(low + double(i + 1) * step); });
     high = found[1] ? high : found[0] ? low + 2. * step : low + step;

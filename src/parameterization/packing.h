@@ -42,7 +42,7 @@ void check_fits(std::size_t number_of_outlines, std::size_t texels, std::size_t 
 // Throws Invalid_argument_error if the outlines do not fit at any scale.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size_t gutter,
-             unsigned threads);
+             unsigned number_of_threads);
 
 } // namespace CGAL::Geodesic_processing::internal
 

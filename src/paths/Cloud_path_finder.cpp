@@ -85,7 +85,8 @@ Fitted_cloud::Fitted_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
               for(const Index surfel : m_cloud.caller_vertex)
                 given_vertex.push_back(m_given_cloud.internal_vertex[surfel]);
             else
-              m_coverage = std::make_unique<Surfel_coverage>(m_cloud, options.cloud.threads);
+              m_coverage =
+                  std::make_unique<Surfel_coverage>(m_cloud, options.cloud.number_of_threads);
             return given_vertex;
           }()),
       m_surface(m_cloud, surfel_fit(options.method), *m_coverage, m_given_vertex),
@@ -100,49 +101,49 @@ Surfel_cloud Fitted_cloud::build_cloud(std::vector<Vec3> points, std::vector<Vec
                                        const std::vector<double>& radii,
                                        const Cloud_path_options& options)
 {
-  const unsigned threads = options.cloud.threads;
+  const unsigned number_of_threads = options.cloud.number_of_threads;
   const auto build = [&](const Frame* frame)
   { return make_cloud(std::move(points), std::move(normals), radii, options.cloud, frame); };
   check_sizes(points.size(), normals.size(), radii.size());
   if(options.noise != Surfel_noise::kept)
-    m_noise = noise_level(points, normals, threads);
+    m_noise = noise_level(points, normals, number_of_threads);
   const bool is_conditional = options.noise == Surfel_noise::removed_when_found;
   if(options.noise == Surfel_noise::kept || (is_conditional && m_noise < significant_noise_level))
   {
     // Coverage is defined by the graph of extended spheres with default radii.
     if(options.cloud.graph != Surfel_graph::extended_spheres || !radii.empty())
-      store_given_cloud(points, normals, threads);
+      store_given_cloud(points, normals, number_of_threads);
     return build(m_given_cloud.number_of_vertices() == 0 ? nullptr : &m_given_cloud.frame);
   }
-  store_given_cloud(points, normals, threads);
+  store_given_cloud(points, normals, number_of_threads);
   // If the noise level is high, normals are so inaccurate that one pass is not enough.
   double noise_level_left = m_noise;
   for(int i = 0; i < max_denoising_passes && (i == 0 || noise_level_left > residual_noise); ++i)
   {
-    denoise(points, normals, threads);
-    noise_level_left = noise_level(points, normals, threads);
+    denoise(points, normals, number_of_threads);
+    noise_level_left = noise_level(points, normals, number_of_threads);
   }
-  limit_displacements(points, threads);
+  limit_displacements(points, number_of_threads);
   return build(&m_given_cloud.frame);
 }
 
 void Fitted_cloud::store_given_cloud(const std::vector<Vec3>& points,
-                                     const std::vector<Vec3>& normals, unsigned threads)
+                                     const std::vector<Vec3>& normals, unsigned number_of_threads)
 {
   Surfel_cloud_options default_options;
-  default_options.threads = threads;
+  default_options.number_of_threads = number_of_threads;
   m_given_cloud = make_cloud(points, normals, {}, default_options);
-  m_coverage = std::make_unique<Surfel_coverage>(m_given_cloud, threads);
+  m_coverage = std::make_unique<Surfel_coverage>(m_given_cloud, number_of_threads);
   m_given_cloud.graph = {};
 }
 
 // Limits the displacement of denoised surfels: they stay in the region covered by the given
 // surfels.
-void Fitted_cloud::limit_displacements(std::vector<Vec3>& points, unsigned threads) const
+void Fitted_cloud::limit_displacements(std::vector<Vec3>& points, unsigned number_of_threads) const
 {
   const auto& [origin, scale] = m_given_cloud.frame;
   for_each_block(
-      points.size(), surfel_block_size, threads,
+      points.size(), surfel_block_size, number_of_threads,
       [&, &origin = origin, &scale = scale](std::size_t, std::size_t begin, std::size_t end)
       {
         for(std::size_t i = begin; i < end; ++i)
@@ -291,12 +292,12 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
 std::vector<Cloud_path>
 find_paths(const Cloud_path_finder& finder,
            const std::vector<std::pair<Tangent_location, Tangent_location>>& pairs,
-           unsigned threads)
+           unsigned number_of_threads)
 {
   std::vector<Cloud_path> result(pairs.size());
   std::mutex mutex;
   std::vector<std::unique_ptr<Cloud_path_finder>> idle_finders;
-  for_each_block(pairs.size(), 1, threads,
+  for_each_block(pairs.size(), 1, number_of_threads,
                  [&](std::size_t i, std::size_t, std::size_t)
                  {
                    std::unique_ptr<Cloud_path_finder> local_finder;

@@ -169,7 +169,7 @@ private:
     for(Index vertex = 0; vertex < m_area.size(); ++vertex)
       if(m_state.cells[vertex] != none && m_area[vertex] > 0.)
         vertices[m_state.cells[vertex]].push_back(vertex);
-    for_each_row(m_front, vertices.size(), m_limits, m_options.threads,
+    for_each_row(m_front, vertices.size(), m_limits, m_options.number_of_threads,
                  [&](std::size_t cell, Front& front, const Front_limits& limits)
                  { move_center(m_state.centers[cell], vertices[cell], front, limits); });
   }
@@ -334,7 +334,7 @@ private:
     limits.known_distance = &known;
     std::vector<std::vector<std::pair<Index, double>>> closer(m_state.centers.size() -
                                                               first_center);
-    for_each_row(m_front, closer.size(), limits, m_options.threads,
+    for_each_row(m_front, closer.size(), limits, m_options.number_of_threads,
                  [&](std::size_t i, Front& front, const Front_limits& own_limits)
                  {
                    front.run({Front_source{{m_state.centers[first_center + i]}}}, own_limits);

@@ -27,8 +27,8 @@ double squared_distance(const std::array<double, 3>& p, const std::array<double,
 class Kd_tree::Builder
 {
 public:
-  Builder(Kd_tree& tree, const std::vector<Point>& points, unsigned threads)
-      : m_tree(tree), m_threads(threads), m_entries(points.size())
+  Builder(Kd_tree& tree, const std::vector<Point>& points, unsigned number_of_threads)
+      : m_tree(tree), m_threads(number_of_threads), m_entries(points.size())
   {
     for_each_block(m_entries.size(), block_size, m_threads,
                    [&](std::size_t, std::size_t begin, std::size_t end)
@@ -123,7 +123,7 @@ private:
   std::vector<Entry> m_entries;
 };
 
-Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned threads)
+Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned number_of_threads)
     : m_size(points.size())
 {
   order.resize(m_size);
@@ -132,7 +132,7 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
   while(m_size > leaf_size << m_levels)
     ++m_levels;
   m_boxes.resize((std::size_t(2) << m_levels) - 1);
-  Builder builder(*this, points, threads);
+  Builder builder(*this, points, number_of_threads);
   builder.split_all();
   builder.store(points, order);
 }

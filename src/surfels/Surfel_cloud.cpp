@@ -19,7 +19,7 @@ namespace {
 // j, but j is not among the neighbors of i.  This only occurs beyond the search radius of i.
 template <typename Are_connected>
 Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& neighbors,
-                           const std::vector<double>& search_radius, unsigned threads,
+                           const std::vector<double>& search_radius, unsigned number_of_threads,
                            const Are_connected& are_connected)
 {
   const std::size_t n = point.size();
@@ -27,7 +27,7 @@ Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& ne
   graph.begin.assign(n + 1, 0);
   std::vector<std::vector<std::pair<Index, Index>>> missing_edges((n + surfel_block_size - 1) /
                                                                   surfel_block_size);
-  for_each_block(n, surfel_block_size, threads,
+  for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    for(Index i = static_cast<Index>(begin); i < end; ++i)
@@ -57,7 +57,7 @@ Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& ne
     for(const auto& e : block_edges)
       reverse_targets[reverse_end[e.first]++] = e.second;
   graph.target.resize(graph.begin.back());
-  for_each_block(n, surfel_block_size, threads,
+  for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    Index i = static_cast<Index>(begin), e = graph.begin[i];
@@ -75,7 +75,7 @@ Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& ne
 
 // Labels the connected components by union-find.  Threads unite the vertices of each block in
 // parallel; then the edges between blocks are processed sequentially.  O(n) in practice.
-void label_components(unsigned threads, Surfel_cloud& cloud)
+void label_components(unsigned number_of_threads, Surfel_cloud& cloud)
 {
   const Proximity_graph& graph = cloud.graph;
   std::vector<Index>& label = cloud.component; // the parent in the forest, at most the vertex
@@ -95,7 +95,7 @@ void label_components(unsigned threads, Surfel_cloud& cloud)
   };
   std::vector<std::vector<std::pair<Index, Index>>> cross_block_edges((n + surfel_block_size - 1) /
                                                                       surfel_block_size);
-  for_each_block(n, surfel_block_size, threads,
+  for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    for(Index v = static_cast<Index>(begin); v < end; ++v)
@@ -132,16 +132,16 @@ Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
   const Compatibility_test compatibility_test = {std::cos(options.maximum_angle)};
   normalize(normals);
   Surfel_cloud cloud;
-  static_cast<Sorted_surfels&>(cloud) =
-      sort_surfels(std::move(points), normals, compatibility_test.cosine, options.threads, frame);
+  static_cast<Sorted_surfels&>(cloud) = sort_surfels(
+      std::move(points), normals, compatibility_test.cosine, options.number_of_threads, frame);
   Neighbor_distances distances;
-  const Ragged_rows neighbors =
-      find_neighbors(cloud, &compatibility_test, options.neighbors, options.threads, distances);
-  cloud.radius = surfel_radii(cloud, radii, neighbors, options.rank, options.threads);
+  const Ragged_rows neighbors = find_neighbors(cloud, &compatibility_test, options.neighbors,
+                                               options.number_of_threads, distances);
+  cloud.radius = surfel_radii(cloud, radii, neighbors, options.rank, options.number_of_threads);
   const auto graph = [&](const Ragged_rows& rows, const auto& are_connected)
   {
-    cloud.graph =
-        make_graph(cloud.point, rows, distances.search_radius, options.threads, are_connected);
+    cloud.graph = make_graph(cloud.point, rows, distances.search_radius, options.number_of_threads,
+                             are_connected);
   };
   if(options.graph == Surfel_graph::extended_spheres)
     graph(neighbors, [&](Index i, Index j, double length)
@@ -149,7 +149,7 @@ Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
   else
   {
     const Ragged_rows all_neighbors =
-        find_neighbors(cloud, nullptr, options.neighbors, options.threads, distances);
+        find_neighbors(cloud, nullptr, options.neighbors, options.number_of_threads, distances);
     if(options.graph == Surfel_graph::nearest)
       graph(all_neighbors, [](Index, Index, double) { return true; });
     else
@@ -162,7 +162,7 @@ Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
             [&](Index i, Index j, double length) { return length <= nearest[i] + nearest[j]; });
     }
   }
-  label_components(options.threads, cloud);
+  label_components(options.number_of_threads, cloud);
   cloud.spacing = std::move(distances.spacing);
   cloud.search_radius = std::move(distances.search_radius);
   return cloud;

@@ -39,13 +39,13 @@ private:
 
 } // namespace
 
-Surfel_coverage::Surfel_coverage(const Surfel_cloud& cloud, unsigned threads)
+Surfel_coverage::Surfel_coverage(const Surfel_cloud& cloud, unsigned number_of_threads)
     : m_cloud(cloud), m_radius(cloud.number_of_vertices()),
       m_certain_radius(cloud.number_of_vertices())
 {
   const Proximity_graph& graph = cloud.graph;
   for_each_block(
-      m_radius.size(), surfel_block_size, threads,
+      m_radius.size(), surfel_block_size, number_of_threads,
       [&](std::size_t, std::size_t begin, std::size_t end)
       {
         for(std::size_t vertex = begin; vertex < end; ++vertex)

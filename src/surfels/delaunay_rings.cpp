@@ -227,7 +227,7 @@ Ragged_rows find_delaunay_rings(const Distinct_surfels& surfels, const Ragged_ro
   const Ring_input input = {surfels, neighbors, search_radius, radius,
                             power_weights(surfels, neighbors)};
   Ragged_rows rings(surfels.size());
-  for_each_block(surfels.size(), surfel_block_size, surfels.threads,
+  for_each_block(surfels.size(), surfel_block_size, surfels.number_of_threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    Ring_builder builder(input);

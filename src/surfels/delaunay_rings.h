@@ -24,7 +24,7 @@ struct Distinct_surfels
   const std::vector<Vec3>& normal;
   const Kd_tree& tree;
   Compatibility_test compatibility_test;
-  unsigned threads;
+  unsigned number_of_threads;
 
   std::size_t size() const { return tree.size(); }
   Compatibility compatibility(Index a, Index b) const

@@ -51,23 +51,23 @@ struct Denoising_cloud
   std::vector<double> spacing;   // square root of the area per surfel
   std::vector<double> noise;     // median height of the neighbors, in spacings
 
-  Denoising_cloud(std::vector<Vec3> points, std::vector<Vec3> normals, unsigned threads);
+  Denoising_cloud(std::vector<Vec3> points, std::vector<Vec3> normals, unsigned number_of_threads);
   std::size_t size() const { return point.size(); }
 };
 
 Denoising_cloud::Denoising_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
-                                 unsigned threads)
+                                 unsigned number_of_threads)
     : frame(unit_frame(points)), point(std::move(points)), neighbors(point.size()),
       mean_normal(point.size()), spacing(point.size()), noise(point.size())
 {
   check_sizes(point.size(), normals.size(), 0);
   normalize(normals);
   to_frame(point, frame);
-  tree = Kd_tree(point, order, threads);
+  tree = Kd_tree(point, order, number_of_threads);
   for(const Index i : order)
     normal.push_back(normals[i]);
   visit_nearest(
-      point, tree, number_of_neighbors, threads,
+      point, tree, number_of_neighbors, number_of_threads,
       [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
       {
         std::vector<double> offsets = {0.};
@@ -103,11 +103,12 @@ struct Variances
 
 // Returns the variances of the residuals of quadrics that are fitted to the neighbors of each
 // surfel.  `slope_weight` is the weight of slopes relative to heights.
-Variances residual_variances(const Denoising_cloud& cloud, double slope_weight, unsigned threads)
+Variances residual_variances(const Denoising_cloud& cloud, double slope_weight,
+                             unsigned number_of_threads)
 {
   Variances result = {std::vector<double>(cloud.size(), 0.), std::vector<double>(cloud.size(), 0.)};
   for_each_block(
-      cloud.size(), surfel_block_size, threads,
+      cloud.size(), surfel_block_size, number_of_threads,
       [&](std::size_t, std::size_t begin, std::size_t end)
       {
         std::vector<Surfel_frame::Sample> samples;
@@ -148,14 +149,15 @@ Variances residual_variances(const Denoising_cloud& cloud, double slope_weight, 
 }
 
 // Estimates the variances at each surfel by the medians over its neighbors.
-Variances estimate_variances(const Denoising_cloud& cloud, unsigned threads)
+Variances estimate_variances(const Denoising_cloud& cloud, unsigned number_of_threads)
 {
   // Begin with equal variances of heights (in spacings) and slopes; then weight by the medians
   // found.
-  Variances result = residual_variances(cloud, 1., threads);
+  Variances result = residual_variances(cloud, 1., number_of_threads);
   const double slope = median(result.slope), height = median(result.height);
-  const Variances refined = residual_variances(cloud, slope > 0. ? height / slope : 1., threads);
-  for_each_block(cloud.size(), surfel_block_size, threads,
+  const Variances refined =
+      residual_variances(cloud, slope > 0. ? height / slope : 1., number_of_threads);
+  for_each_block(cloud.size(), surfel_block_size, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    std::vector<double> heights, slopes;
@@ -187,7 +189,7 @@ struct Clusters
 };
 
 // Computes the clusters of a cloud.  O(n log n).
-Clusters build_clusters(const Denoising_cloud& cloud, unsigned threads)
+Clusters build_clusters(const Denoising_cloud& cloud, unsigned number_of_threads)
 {
   std::vector<Surfel_mean> means;
   Clusters result;
@@ -222,7 +224,7 @@ Clusters build_clusters(const Denoising_cloud& cloud, unsigned threads)
     }
   }
   std::vector<Index> order;
-  result.tree = Kd_tree(result.point, order, threads);
+  result.tree = Kd_tree(result.point, order, number_of_threads);
   for(const Index i : order)
     result.means.push_back(means[i]);
   return result;
@@ -257,9 +259,9 @@ public:
     std::array<std::vector<Index>, number_of_scales> rings;
   };
 
-  Denoiser(const Denoising_cloud& cloud, unsigned threads)
-      : m_cloud(cloud), m_variances(estimate_variances(cloud, threads)),
-        m_clusters(build_clusters(cloud, threads))
+  Denoiser(const Denoising_cloud& cloud, unsigned number_of_threads)
+      : m_cloud(cloud), m_variances(estimate_variances(cloud, number_of_threads)),
+        m_clusters(build_clusters(cloud, number_of_threads))
   {
     for(int k = 0; k < number_of_scales; ++k)
       m_squared_radius[k] = std::pow(smallest_radius * std::pow(radius_ratio, k), 2);
@@ -458,22 +460,23 @@ private:
 
 } // namespace
 
-double noise_level(const std::vector<Vec3>& points, std::vector<Vec3> normals, unsigned threads)
+double noise_level(const std::vector<Vec3>& points, std::vector<Vec3> normals,
+                   unsigned number_of_threads)
 {
-  Denoising_cloud cloud(points, std::move(normals), threads);
+  Denoising_cloud cloud(points, std::move(normals), number_of_threads);
   return cloud.size() == 0 ? 0. : median(cloud.noise);
 }
 
-void denoise(std::vector<Vec3>& points, std::vector<Vec3>& normals, unsigned threads)
+void denoise(std::vector<Vec3>& points, std::vector<Vec3>& normals, unsigned number_of_threads)
 {
-  const Denoising_cloud cloud(points, normals, threads);
+  const Denoising_cloud cloud(points, normals, number_of_threads);
   const std::size_t n = cloud.size();
   if(n == 0)
     return;
-  const Denoiser denoiser(cloud, threads);
+  const Denoiser denoiser(cloud, number_of_threads);
   std::vector<Fit_choice> choices(n);
   std::vector<Quadric_fit::Coefficients> fits(n);
-  for_each_block(n, surfel_block_size, threads,
+  for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    Denoiser::Scratch scratch;
@@ -481,7 +484,7 @@ void denoise(std::vector<Vec3>& points, std::vector<Vec3>& normals, unsigned thr
                      fits[i] = denoiser.choose_fit(i, scratch, choices[i]);
                  });
   // By chance, some choices are too small: use the median of the neighbors' choices.
-  for_each_block(n, surfel_block_size, threads,
+  for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    Denoiser::Scratch scratch;
@@ -498,7 +501,7 @@ void denoise(std::vector<Vec3>& points, std::vector<Vec3>& normals, unsigned thr
                    }
                  });
   std::vector<Surfel> surfels(n);
-  for_each_block(n, surfel_block_size, threads,
+  for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(Index i = Index(begin); i < end; ++i)

@@ -26,7 +26,7 @@ constexpr double significant_noise_level = 0.02;
 // Throws the exceptions of build_surfel_arrays().  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 double noise_level(const std::vector<Vec3>& points, std::vector<Vec3> normals,
-                   unsigned threads = 1);
+                   unsigned number_of_threads = 1);
 
 // Moves surfels along their normals to an estimate of the surface, and replaces the normals by
 // those of the estimate.  All normals become unit vectors.
@@ -45,7 +45,7 @@ double noise_level(const std::vector<Vec3>& points, std::vector<Vec3> normals,
 // Throws the exceptions of build_surfel_arrays().  O(n log n).  A surfel takes 30 to 60
 // microseconds of one thread; the maximum is reached on spheres, because all radii are used there.
 CGAL_GEODESIC_PROCESSING_EXPORT
-void denoise(std::vector<Vec3>& points, std::vector<Vec3>& normals, unsigned threads = 1);
+void denoise(std::vector<Vec3>& points, std::vector<Vec3>& normals, unsigned number_of_threads = 1);
 
 } // namespace CGAL::Geodesic_processing::internal
 

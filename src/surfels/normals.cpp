@@ -101,7 +101,7 @@ void orient(const std::vector<Vec3>& points, const Neighbor_graph& graph,
 } // namespace
 
 std::vector<Vec3> estimate_normals(const std::vector<Vec3>& points, unsigned number_of_neighbors,
-                                   bool is_oriented, unsigned threads)
+                                   bool is_oriented, unsigned number_of_threads)
 {
   std::vector<Vec3> scaled_points = points, point;
   to_frame(scaled_points, unit_frame(points));
@@ -111,11 +111,11 @@ std::vector<Vec3> estimate_normals(const std::vector<Vec3>& points, unsigned num
   if(n > 2)
   {
     std::vector<Index> order;
-    const Kd_tree tree(point, order, threads);
+    const Kd_tree tree(point, order, number_of_threads);
     const std::size_t size = std::min<std::size_t>(number_of_neighbors + 1, n);
     std::vector<Vec3> normal(n);
     std::vector<Index> nearest(n * size);
-    visit_nearest(point, tree, size - 1, threads,
+    visit_nearest(point, tree, size - 1, number_of_threads,
                   [&](std::size_t, Index i, const std::vector<Kd_tree::Neighbor>& found)
                   {
                     std::vector<Vec3> neighborhood;

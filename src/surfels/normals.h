@@ -21,7 +21,7 @@ namespace CGAL::Geodesic_processing::internal {
 // Throws Invalid_argument_error if a coordinate is not finite or the extent overflows.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec3> estimate_normals(const std::vector<Vec3>& points, unsigned number_of_neighbors,
-                                   bool is_oriented, unsigned threads = 1);
+                                   bool is_oriented, unsigned number_of_threads = 1);
 
 } // namespace CGAL::Geodesic_processing::internal
 

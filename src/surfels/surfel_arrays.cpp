@@ -36,12 +36,12 @@ bool ring_has_edge(const Ragged_rows& rings, Index vertex, Index a, Index b)
 
 // Collects the triangles of all rings.  A triangle that several corners found is appended once, by
 // the corner with the smallest index.  Its weight is one third of the number of these corners.
-void collect_triangles(const Ragged_rows& rings, unsigned threads, Surface_arrays& t)
+void collect_triangles(const Ragged_rows& rings, unsigned number_of_threads, Surface_arrays& t)
 {
   const std::size_t n = rings.row_begin.size() - 1;
   Ragged_rows corners(n);
   std::vector<std::vector<float>> weights((n + surfel_block_size - 1) / surfel_block_size);
-  for_each_block(n, surfel_block_size, threads,
+  for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    for(Index i = static_cast<Index>(begin); i < end; ++i)
@@ -76,7 +76,7 @@ void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
                  Surface_arrays& t)
 {
   const std::size_t n = t.point.size(), m = surfels.size();
-  for_each_block(m, surfel_block_size, surfels.threads,
+  for_each_block(m, surfel_block_size, surfels.number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(Index i = static_cast<Index>(begin); i < end; ++i)
@@ -109,7 +109,7 @@ void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
     for_each_edge([&](Index a, Index b) { target[end[a]++] = b, target[end[b]++] = a; });
   }
   Ragged_rows edges(n);
-  for_each_block(n, surfel_block_size, surfels.threads,
+  for_each_block(n, surfel_block_size, surfels.number_of_threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    std::vector<Index>& buffer = edges.buffer(block);
@@ -129,12 +129,12 @@ void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
 
 // Computes the lengths of all edges.  Scales all lengths and coordinates by a power of two, such
 // that the longest edge lies in [1, 2).
-void compute_lengths(Surfel_arrays& surfels, unsigned threads)
+void compute_lengths(Surfel_arrays& surfels, unsigned number_of_threads)
 {
   Surface_arrays& t = surfels.arrays;
   const std::size_t n = t.point.size();
   t.graph.length.resize(t.graph.target.size());
-  for_each_block(n, surfel_block_size, threads,
+  for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(std::size_t i = begin; i < end; ++i)
@@ -190,15 +190,15 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
   Surface_arrays& t = result.arrays;
   const Compatibility_test compatibility_test = {std::cos(options.maximum_angle)};
   normalize(normals);
-  Sorted_surfels sorted =
-      sort_surfels(std::move(points), normals, compatibility_test.cosine, options.threads);
+  Sorted_surfels sorted = sort_surfels(std::move(points), normals, compatibility_test.cosine,
+                                       options.number_of_threads);
   t.origin = sorted.frame.origin;
   t.scale = sorted.frame.scale;
   Neighbor_distances distances;
   Ragged_rows neighbors = find_neighbors(sorted, &compatibility_test, number_of_ring_neighbors,
-                                         options.threads, distances);
+                                         options.number_of_threads, distances);
   neighbors.join();
-  result.radius = surfel_radii(sorted, radii, neighbors, options.rank, options.threads);
+  result.radius = surfel_radii(sorted, radii, neighbors, options.rank, options.number_of_threads);
 
   result.tree = std::move(sorted.tree);
   t.point = std::move(sorted.point);
@@ -220,15 +220,15 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
       vertex = copy;
     }
   const Distinct_surfels surfels = {t.point, t.normal, result.tree, compatibility_test,
-                                    options.threads};
+                                    options.number_of_threads};
   {
     const Ragged_rows rings =
         find_delaunay_rings(surfels, neighbors, distances.search_radius, result.radius);
     distances = {};
-    collect_triangles(rings, options.threads, t);
+    collect_triangles(rings, options.number_of_threads, t);
   }
   build_graph(surfels, neighbors, result.radius, copy_of, t);
-  compute_lengths(result, options.threads);
+  compute_lengths(result, options.number_of_threads);
   build_rings(t);
   return result;
 }

@@ -20,13 +20,14 @@ namespace {
 
 // Returns the indices of the points, sorted by the mean squared distance to their neighbors.
 std::vector<std::size_t> sort_by_neighbor_distance(std::vector<Vec3> points,
-                                                   unsigned number_of_neighbors, unsigned threads)
+                                                   unsigned number_of_neighbors,
+                                                   unsigned number_of_threads)
 {
   to_frame(points, unit_frame(points));
   std::vector<Index> order;
-  const Kd_tree tree(points, order, threads);
+  const Kd_tree tree(points, order, number_of_threads);
   std::vector<std::pair<double, std::size_t>> sums(points.size());
-  visit_nearest(points, tree, number_of_neighbors, threads,
+  visit_nearest(points, tree, number_of_neighbors, number_of_threads,
                 [&](std::size_t, Index i, const std::vector<Kd_tree::Neighbor>& found)
                 {
                   sums[i] = {0., order[i]};
@@ -43,7 +44,7 @@ std::vector<std::size_t> sort_by_neighbor_distance(std::vector<Vec3> points,
 } // namespace
 
 Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned number_of_neighbors,
-                                   double outlier_percentage, unsigned threads)
+                                   double outlier_percentage, unsigned number_of_threads)
 {
   if(number_of_neighbors < 6)
     throw Invalid_argument_error("Normals must be estimated from at least 6 neighbors.");
@@ -61,7 +62,7 @@ Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned num
   std::iota(indices.begin(), indices.end(), 0);
   if(outlier_percentage > 0.)
   {
-    indices = sort_by_neighbor_distance(points, number_of_neighbors, threads);
+    indices = sort_by_neighbor_distance(points, number_of_neighbors, number_of_threads);
     const auto end =
         indices.end() - std::lround(outlier_percentage / 100. * double(indices.size()));
     result.removed.assign(end, indices.end());
@@ -73,9 +74,9 @@ Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned num
   for(const std::size_t index : indices)
     kept_points.push_back(points[index]);
   const std::vector<Vec3> normals =
-      estimate_normals(kept_points, number_of_neighbors, true, threads);
+      estimate_normals(kept_points, number_of_neighbors, true, number_of_threads);
   Surfel_cloud_options options;
-  options.threads = threads;
+  options.number_of_threads = number_of_threads;
   const Surfel_cloud cloud = make_cloud(std::move(kept_points), normals, {}, options);
   result.normals.assign(points.size(), {0., 0., 1.});
   result.radii.assign(points.size(), 0.);

@@ -46,7 +46,7 @@ namespace {
 // itself.  Surfels are distributed to buckets by a hash of their points.  So the hash table of a
 // bucket stays in the cache, and threads process buckets in parallel.  O(n) expected.
 std::vector<Index> find_originals(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
-                                  double cosine, unsigned threads)
+                                  double cosine, unsigned number_of_threads)
 {
   constexpr std::size_t number_of_buckets = 256;
   // The sum rounds points closer than 2^-51 of the extent to the same key.  So squared distances
@@ -56,7 +56,7 @@ std::vector<Index> find_originals(const std::vector<Vec3>& points, const std::ve
   };
   const std::size_t n = points.size();
   std::vector<std::uint64_t> hash(n);
-  for_each_block(n, surfel_block_size, threads,
+  for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(Index i = Index(begin); i < end; ++i)
@@ -76,7 +76,7 @@ std::vector<Index> find_originals(const std::vector<Vec3>& points, const std::ve
   for(Index i = 0; i < n; ++i)
     bucketed[bucket_end[hash[i] % number_of_buckets]++] = i;
 
-  for_each_block(number_of_buckets, 1, threads,
+  for_each_block(number_of_buckets, 1, number_of_threads,
                  [&](std::size_t bucket, std::size_t, std::size_t)
                  {
                    std::size_t slots = 16;
@@ -104,14 +104,14 @@ std::vector<Index> find_originals(const std::vector<Vec3>& points, const std::ve
 } // namespace
 
 Sorted_surfels sort_surfels(std::vector<Vec3> points, const std::vector<Vec3>& normals,
-                            double cosine, unsigned threads, const Frame* frame)
+                            double cosine, unsigned number_of_threads, const Frame* frame)
 {
   Sorted_surfels result;
   const Frame cloud_frame = unit_frame(points);
   result.frame = frame == nullptr ? cloud_frame : *frame;
   to_frame(points, result.frame);
   const std::size_t n = points.size();
-  const std::vector<Index> original = find_originals(points, normals, cosine, threads);
+  const std::vector<Index> original = find_originals(points, normals, cosine, number_of_threads);
   std::vector<Index> distinct, order;
   distinct.reserve(n);
   for(Index i = 0; i < n; ++i)
@@ -122,11 +122,11 @@ Sorted_surfels sort_surfels(std::vector<Vec3> points, const std::vector<Vec3>& n
       points[i] = points[distinct[i]];
   points.resize(distinct.size());
   result.point = std::move(points);
-  result.tree = Kd_tree(result.point, order, threads);
+  result.tree = Kd_tree(result.point, order, number_of_threads);
   result.internal_vertex.resize(n);
   result.caller_vertex.resize(distinct.size());
   result.normal.resize(distinct.size());
-  for_each_block(distinct.size(), surfel_block_size, threads,
+  for_each_block(distinct.size(), surfel_block_size, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(Index v = static_cast<Index>(begin); v < end; ++v)
@@ -143,7 +143,8 @@ Sorted_surfels sort_surfels(std::vector<Vec3> points, const std::vector<Vec3>& n
 }
 
 std::vector<double> surfel_radii(const Sorted_surfels& surfels, const std::vector<double>& radii,
-                                 const Ragged_rows& neighbors, std::size_t rank, unsigned threads)
+                                 const Ragged_rows& neighbors, std::size_t rank,
+                                 unsigned number_of_threads)
 {
   for(std::size_t i = 0; i < radii.size(); ++i)
     if(!std::isfinite(radii[i]) || radii[i] < 0.)
@@ -151,7 +152,7 @@ std::vector<double> surfel_radii(const Sorted_surfels& surfels, const std::vecto
                                    " is negative or not finite.");
   std::vector<double> result(surfels.point.size(), 0.);
   const int exponent = std::ilogb(surfels.frame.scale);
-  for_each_block(result.size(), surfel_block_size, threads,
+  for_each_block(result.size(), surfel_block_size, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(Index v = static_cast<Index>(begin); v < end; ++v)
@@ -170,7 +171,7 @@ std::vector<double> surfel_radii(const Sorted_surfels& surfels, const std::vecto
 
 Ragged_rows find_neighbors(const Sorted_surfels& surfels,
                            const Compatibility_test* compatibility_test, std::size_t count,
-                           unsigned threads, Neighbor_distances& distances)
+                           unsigned number_of_threads, Neighbor_distances& distances)
 {
   const std::vector<Vec3>&point = surfels.point, &normal = surfels.normal;
   const Kd_tree& tree = surfels.tree;
@@ -179,7 +180,7 @@ Ragged_rows find_neighbors(const Sorted_surfels& surfels,
   distances.search_radius.assign(tree.size(), infinity);
   distances.spacing.resize(tree.size());
   visit_nearest(
-      point, tree, count, threads,
+      point, tree, count, number_of_threads,
       [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
       {
         if(i % surfel_block_size == 0)

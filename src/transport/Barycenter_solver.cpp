@@ -109,11 +109,11 @@ public:
     const unsigned max_iterations =
         options.maximum_iterations > 0 ? options.maximum_iterations : 5000;
     Barycenter_result result;
-    for(; gap() > options.tolerance && result.iterations < max_iterations &&
+    for(; gap() > options.tolerance && result.number_of_iterations < max_iterations &&
           !is_cancelled(options.callback, gap(), options.tolerance);
-        result.iterations += steps_per_check)
+        result.number_of_iterations += steps_per_check)
       advance();
-    result.converged = gap() <= options.tolerance;
+    result.is_converged = gap() <= options.tolerance;
     result.lower = m_lower;
     result.upper = m_upper;
     result.masses = m_barycenter;

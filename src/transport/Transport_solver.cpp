@@ -35,8 +35,8 @@ Transport_result iterate(Transport_iteration& iteration, double fixed_cost,
   Transport_result result = iteration.take_best();
   result.lower += fixed_cost;
   result.upper += fixed_cost;
-  result.iterations = iterations;
-  result.converged = has_converged;
+  result.number_of_iterations = iterations;
+  result.is_converged = has_converged;
   return result;
 }
 
@@ -105,7 +105,7 @@ Transport_result Transport_solver::zero_result(std::size_t number_of_exits) cons
   result.potential = Vector::Zero(Eigen::Index(m_operators.number_of_vertices));
   result.flow.assign(m_operators.number_of_triangles(), Vec2{0., 0.});
   result.outflow = Vector::Zero(Eigen::Index(number_of_exits));
-  result.converged = true;
+  result.is_converged = true;
   return result;
 }
 

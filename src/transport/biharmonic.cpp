@@ -70,14 +70,14 @@ Matrix Biharmonic_distances::all_pairs(const Masses& masses) const
   return result;
 }
 
-Vector Biharmonic_distances::one_to_all(const Masses& source, unsigned threads) const
+Vector Biharmonic_distances::one_to_all(const Masses& source, unsigned number_of_threads) const
 {
   const std::size_t n = m_operators.number_of_vertices;
   const auto compute_squared_distances = [&]
   {
     m_squared_distances.resize(Eigen::Index(n));
     constexpr std::size_t block_size = 32;
-    for_each_block(n, block_size, threads,
+    for_each_block(n, block_size, number_of_threads,
                    [&](std::size_t, std::size_t begin, std::size_t end)
                    {
                      Masses masses(Eigen::Index(n), Eigen::Index(end - begin));

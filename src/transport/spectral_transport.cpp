@@ -99,7 +99,7 @@ solve_group_lasso(const Matrix& basis, const Column<double>& weight, Matrix part
     for(Eigen::Index j = solver.columns() - 1; j >= 0; --j)
     {
       Transport_bounds& bounds = result[column_index[std::size_t(j)]];
-      bounds.iterations = i;
+      bounds.number_of_iterations = i;
       if(const double upper = solver.upper(j); upper < bounds.upper)
       {
         bounds.upper = upper;
@@ -142,11 +142,12 @@ Masses pairwise_differences(const Masses& masses)
 // Returns the particular fields times the square root of the area, in single precision. With this
 // weight, the integral of a length is a sum of lengths.
 Float_matrix area_weighted_fields(const Particular_fields& particular, const Vector& sqrt_area,
-                                  const Masses& masses, unsigned threads, Progress& progress)
+                                  const Masses& masses, unsigned number_of_threads,
+                                  Progress& progress)
 {
   const Eigen::Index triangles = sqrt_area.size();
   Float_matrix result(2 * triangles, masses.cols());
-  for_each_block(std::size_t(masses.cols()), columns_per_block, threads,
+  for_each_block(std::size_t(masses.cols()), columns_per_block, number_of_threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    if(!progress.should_continue())
@@ -162,7 +163,8 @@ Float_matrix area_weighted_fields(const Particular_fields& particular, const Vec
 
 // Returns for columns i < j the sum over all triangles of the length of the difference vector.
 // Blocks of triangles stay in the cache for all pairs. The partial sums are added in a fixed order.
-Matrix pairwise_sums_of_lengths(const Float_matrix& fields, unsigned threads, Progress& progress)
+Matrix pairwise_sums_of_lengths(const Float_matrix& fields, unsigned number_of_threads,
+                                Progress& progress)
 {
   constexpr std::size_t triangles_per_block = 1024;
   const Eigen::Index n = fields.cols(), triangles = fields.rows() / 2;
@@ -170,7 +172,7 @@ Matrix pairwise_sums_of_lengths(const Float_matrix& fields, unsigned threads, Pr
       (std::size_t(triangles) + triangles_per_block - 1) / triangles_per_block;
   std::vector<Matrix> sums(number_of_slices);
   for_each_block(
-      number_of_slices, 1, threads,
+      number_of_slices, 1, number_of_threads,
       [&](std::size_t slice, std::size_t, std::size_t)
       {
         if(!progress.should_continue())
@@ -432,7 +434,7 @@ Spectral_transport::distances(const Masses& differences,
     for(std::size_t i = 0; i < column_index.size(); ++i)
       result[column_index[i]] = bounds[i];
   };
-  for_each_block(columns, columns_per_block, options.threads, solve);
+  for_each_block(columns, columns_per_block, options.number_of_threads, solve);
   if(progress.is_cancelled())
     result.clear();
   return result;
@@ -467,8 +469,8 @@ Transport_result Spectral_transport::transport(const Vector& masses,
   result.lower = bounds.lower;
   result.upper = bounds.upper;
   result.value = result.estimate = bounds.value();
-  result.iterations = bounds.iterations;
-  result.converged = bounds.are_within(options.tolerance);
+  result.number_of_iterations = bounds.number_of_iterations;
+  result.is_converged = bounds.are_within(options.tolerance);
   return result;
 }
 
@@ -492,8 +494,8 @@ Matrix Spectral_transport::all_pairs(const Masses& masses,
 
   Progress progress(options.callback, std::size_t(n) / columns_per_block + 1 + number_of_slices);
   const Float_matrix fields =
-      area_weighted_fields(*m_particular, m_sqrt_area, masses, options.threads, progress);
-  Matrix result = pairwise_sums_of_lengths(fields, options.threads, progress);
+      area_weighted_fields(*m_particular, m_sqrt_area, masses, options.number_of_threads, progress);
+  Matrix result = pairwise_sums_of_lengths(fields, options.number_of_threads, progress);
   if(progress.is_cancelled())
     return {};
   std::vector<std::vector<double>> mass;
@@ -546,7 +548,7 @@ Vector Spectral_transport::one_to_all(const Masses& source,
       result[targets[i]] = length(field);
     }
   };
-  for_each_block(targets.size(), columns_per_block, options.threads, solve);
+  for_each_block(targets.size(), columns_per_block, options.number_of_threads, solve);
   for(Masses::InnerIterator it(source, 0); it; ++it)
     if(it.value() == 1.)
       result[it.row()] = 0.;

@@ -228,7 +228,7 @@ private:
         flow[f] = size > threshold ? (1. - threshold / size) * w : Vec2{0., 0.};
         scaled_dual[f] = w - flow[f];
       }
-      ++bounds.iterations;
+      ++bounds.number_of_iterations;
     }
   }
 
@@ -242,7 +242,7 @@ private:
     const Transport_result found = m_solver.solve(masses, options);
     bounds.lower = std::max(bounds.lower, found.lower);
     bounds.upper = std::min(bounds.upper, found.upper);
-    bounds.iterations = found.iterations;
+    bounds.number_of_iterations = found.number_of_iterations;
     bounds.is_solved = true;
     pivot = std::make_unique<Pivot>();
     pivot->point = to;
@@ -302,7 +302,7 @@ Volumetric_distances::one_to_many(const Vec3& from, const std::vector<Vec3>& to,
       return {};
     end = std::min(order.size(), begin + std::clamp<std::size_t>(begin / 4, 1, 256));
     std::vector<std::unique_ptr<Pivot>> found(end - begin);
-    for_each_block(end - begin, 1, options.threads,
+    for_each_block(end - begin, 1, options.number_of_threads,
                    [&](std::size_t i, std::size_t, std::size_t)
                    { result[order[begin + i]] = query.bounds(to[order[begin + i]], found[i]); });
     for(std::unique_ptr<Pivot>& pivot : found)

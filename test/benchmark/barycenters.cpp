@@ -79,7 +79,8 @@ void print_250_steps(const std::vector<Model>& models)
                  format_fixed(setup, 2), format_fixed(time, 2),
                  is_large ? "-" : percent(cost_after_250.upper / reference_cost.upper - 1., 3),
                  gap(cost_after_250), is_large ? "-" : gap(reference_cost),
-                 std::to_string(one_percent_cost.iterations), format_fixed(one_percent_time, 2)});
+                 std::to_string(one_percent_cost.number_of_iterations),
+                 format_fixed(one_percent_time, 2)});
     }
   table.print();
 }
@@ -152,7 +153,7 @@ void print_planar_points(std::size_t n)
     const GP::Transport_barycenter_cost cost =
         solver.compute(points, GP::parameters::tolerance(5e-3));
     table.add({std::to_string(k), std::to_string(mesh.number_of_vertices()),
-               percent(cost.value / exact - 1., 2), std::to_string(cost.iterations)});
+               percent(cost.value / exact - 1., 2), std::to_string(cost.number_of_iterations)});
   }
   table.print();
 }

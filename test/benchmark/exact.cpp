@@ -146,13 +146,14 @@ void add_parallel(Table& table, const std::string& name, const Mesh& mesh, std::
              : source_vertices;
   std::vector<double> one_thread_times, two_thread_times;
   for(int i = 0; i < 3; ++i)
-    for(const unsigned threads : {1u, 2u})
-      (threads == 1 ? one_thread_times : two_thread_times)
+    for(const unsigned number_of_threads : {1u, 2u})
+      (number_of_threads == 1 ? one_thread_times : two_thread_times)
           .push_back(wall_seconds(
               [&]
               {
                 GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
-                    domain, source_vertices, GP::parameters::threads(threads).targets(targets));
+                    domain, source_vertices,
+                    GP::parameters::number_of_threads(number_of_threads).targets(targets));
               }));
   // The minimum is the run with the least interference by other processes.
   const double one_thread_time =

@@ -295,7 +295,7 @@ void print_atlases(bool is_quick)
               [&]
               {
                 found = GP::texture_atlas<GP::Euclidean_front, CGAL::Parallel_tag>(
-                    mesh, number, map, GP::parameters::texture_size(2048).threads(2));
+                    mesh, number, map, GP::parameters::texture_size(2048).number_of_threads(2));
               });
         });
     table.add({name, std::to_string(num_vertices(mesh)), std::to_string(number),

@@ -94,7 +94,7 @@ void add_nearest_exit_row(Table& table, int cells, std::mt19937& random)
       const auto cost = solver.compute(from, GP::parameters::tolerance(1e-6));
       error = std::max(error, exact[from] > 0. ? std::abs(cost.value / exact[from] - 1.) : 0.);
       gap = std::max(gap, cost.upper > 0. ? 1. - cost.lower / cost.upper : 0.);
-      iterations = std::max(iterations, cost.iterations);
+      iterations = std::max(iterations, cost.number_of_iterations);
     }
   }
   table.add({std::to_string(cells) + " cells", std::to_string(mesh.number_of_vertices()),
@@ -134,7 +134,7 @@ void add_capacity_row(Table& table, int cells, std::size_t exits, double toleran
             sum += solver.arrival(v);
           }
         });
-    max_iterations = std::max(max_iterations, cost.iterations);
+    max_iterations = std::max(max_iterations, cost.number_of_iterations);
     largest_gap = std::max(largest_gap, 1. - cost.lower / cost.upper);
     lost_mass = std::max(lost_mass, std::abs(sum - 1.));
   }
@@ -228,8 +228,8 @@ void add_feature_row(Table& table, const std::string& name, Mesh mesh,
   table.add({name, std::to_string(exact.size()), format_fixed(100. * mean / diameter, 3),
              format_fixed(100. * largest / diameter, 2),
              format_fixed(100. * uniform_mass_error(mesh, feature, exact) / diameter, 2),
-             format_fixed(std::max(above, 0.) / diameter, 9), std::to_string(cost.iterations),
-             format_fixed(time, 2)});
+             format_fixed(std::max(above, 0.) / diameter, 9),
+             std::to_string(cost.number_of_iterations), format_fixed(time, 2)});
 }
 
 // Returns a chain of edges between the first vertex and the vertex farthest from it, along which

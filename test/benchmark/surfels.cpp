@@ -455,7 +455,7 @@ void print_times(bool is_quick)
       continue;
     const Cloud cloud = ellipsoid_cloud(n, axes);
     Surfel_cloud_options options;
-    options.threads = 2;
+    options.number_of_threads = 2;
     double processor = 0.;
     const double graph = wall_seconds(
         [&] {

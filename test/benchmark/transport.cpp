@@ -73,7 +73,7 @@ void measure(const std::string& name, const Triangulation& triangulation, Table&
       const bool are_points = masses == &points;
       table.add({name, std::to_string(surface.size()), format_fixed(setup, 2),
                  are_points ? "points" : "densities", format_significant(tolerance),
-                 format_fixed(time, 3), std::to_string(transport.iterations),
+                 format_fixed(time, 3), std::to_string(transport.number_of_iterations),
                  format_significant(transport.residual),
                  are_points ? format_fixed(100. * (1. - transport.lower / exact), 3) : "-"});
     }

@@ -146,7 +146,7 @@ int main(int argc, char* argv[])
       relative_loss.add(1. - found.value / exact);
       error.add(std::abs(found.estimate / exact - 1.));
       excess.add(found.upper_continuous / exact - 1.);
-      iterations = std::max(iterations, found.iterations);
+      iterations = std::max(iterations, found.number_of_iterations);
     }
     number_of_pairs += pairs;
     table.add({name, std::to_string(surface.size()), std::to_string(pairs),

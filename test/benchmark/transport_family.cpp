@@ -129,7 +129,7 @@ void measure_one_to_all(const std::string& name, const Array_surface& surface, T
       Spectral_transport_options options;
       const double time = cpu_seconds([&] { distances = family->one_to_all(source, options); });
       const double one_thread_time = wall_seconds([&] { family->one_to_all(source, options); });
-      options.threads = 2;
+      options.number_of_threads = 2;
       const double two_thread_time = wall_seconds([&] { family->one_to_all(source, options); });
 
       std::vector<Transport_bounds> bounds;

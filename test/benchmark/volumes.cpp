@@ -112,7 +112,7 @@ void add_slice_row(const std::string& name, const Triangulation& shape, int reso
   const std::vector<Vec3> points = Box(shape).slice(resolution);
   const Vec3 from = points[std::size_t(resolution / 3 * resolution + resolution / 2)];
   Volumetric_options options;
-  options.threads = 2;
+  options.number_of_threads = 2;
   std::vector<Volumetric_bounds> found;
   double watch = 0.;
   const double processor = cpu_seconds(

@@ -1157,9 +1157,10 @@ TEST_F(Program, results_are_independent_of_threads)
        "matrix square.ply --number 9 --method exact", "remesh square.ply --number 30 --lloyd 2"})
   {
     EXPECT_EQ(run(std::string(command) + " --threads 1 --values one.txt").code, 0);
-    for(const char* const threads : {"0", "2", "7"})
+    for(const char* const number_of_threads : {"0", "2", "7"})
     {
-      EXPECT_EQ(run(std::string(command) + " --values more.txt --threads " + threads).code, 0);
+      EXPECT_EQ(
+          run(std::string(command) + " --values more.txt --threads " + number_of_threads).code, 0);
       EXPECT_EQ(read_file(m_folder / "one.txt"), read_file(m_folder / "more.txt")) << command;
     }
   }

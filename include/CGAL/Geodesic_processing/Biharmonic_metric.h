@@ -67,7 +67,7 @@ public:
   /// \param from a vertex, surfel or location
   /// \param distance_map receives a `double` for each vertex or surfel; infinity on other
   ///        components
-  /// \param np `threads` as for `geodesic_distance_matrix()`
+  /// \param np `number_of_threads` as for `geodesic_distance_matrix()`
   /// \throws Invalid_argument_error if the location is not on the surface
   template <typename Concurrency_tag = Sequential_tag, typename Vertex_or_location,
             typename DistanceMap, typename NamedParameters = internal::Default_parameters>
@@ -77,7 +77,7 @@ public:
     const internal::Surface_arrays& t = *m_domain.triangles();
     const internal::Vector found =
         m_distances->one_to_all(internal::masses_at(t, {internal::location(m_domain, from)}),
-                                internal::threads<Concurrency_tag>(np));
+                                internal::number_of_threads<Concurrency_tag>(np));
     m_domain.write([&](internal::Index vertex) { return t.scale * found[vertex]; }, distance_map);
   }
 

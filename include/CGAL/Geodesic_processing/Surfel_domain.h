@@ -52,7 +52,7 @@ public:
   ///   \cgalParamNBegin{radius_map} \cgalParamDescription{the radii of the surfels}
   ///     \cgalParamDefault{the distance to the 8th neighbor, divided by the square root of two}
   ///     \cgalParamNEnd
-  ///   \cgalParamNBegin{threads} \cgalParamDefault{1} \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_threads} \cgalParamDefault{1} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if there are no normals
   /// \throws Invalid_argument_error if a coordinate or a radius is not finite, a radius is
@@ -113,7 +113,7 @@ Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range, const NamedP
   data->descriptors = internal::Surfel_descriptors<Surface>(range);
   internal::Surfel_input input = internal::read_surfels(range, np);
   internal::Surfel_options options;
-  options.threads = internal::parameter(np, internal_np::threads, 1u);
+  options.number_of_threads = internal::parameter(np, internal_np::number_of_threads, 1u);
   data->surfels = internal::build_surfel_arrays(std::move(input.points), std::move(input.normals),
                                                 input.radii, options);
   m_data = std::move(data);

@@ -92,7 +92,7 @@ public:
   ///   \cgalParamNBegin{segment_weight} \cgalParamDescription{the weight \f$ \beta \f$ of the
   ///     squared distances of the segments' midpoints in the energy} \cgalParamDefault{0.7}
   ///     \cgalParamNEnd
-  ///   \cgalParamNBegin{threads} \cgalParamDefault{1} \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_threads} \cgalParamDefault{1} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `Surfel_domain`, and Invalid_argument_error if a weight is negative
   template <typename NamedParameters = internal::Default_parameters>
@@ -200,7 +200,7 @@ Cloud_path_options cloud_path_options(const NamedParameters& np)
 {
   Cloud_path_options result;
   result.cloud.graph = parameter(np, internal_np::surfel_graph, result.cloud.graph);
-  result.cloud.threads = parameter(np, internal_np::threads, 1u);
+  result.cloud.number_of_threads = parameter(np, internal_np::number_of_threads, 1u);
   result.method = parameter(np, internal_np::surfel_path_method, result.method);
   result.noise = parameter(np, internal_np::surfel_noise, result.noise);
   result.search = parameter(np, internal_np::surfel_search, result.search);

@@ -170,7 +170,7 @@ public:
   /// \param from a vertex, surfel or location
   /// \param distance_map receives a `double` for each vertex or surfel; infinity on other
   ///        components
-  /// \param np `threads` and `callback` as for `geodesic_distance_matrix()`
+  /// \param np `number_of_threads` and `callback` as for `geodesic_distance_matrix()`
   /// \throws Invalid_argument_error if the location is not on the surface
   /// \throws Cancelled if the callback returns false
   template <typename Concurrency_tag = Sequential_tag, typename Vertex_or_location,
@@ -213,7 +213,7 @@ private:
   static internal::Spectral_transport_options options(const NamedParameters& np)
   {
     internal::Spectral_transport_options result;
-    result.threads = internal::threads<Concurrency_tag>(np);
+    result.number_of_threads = internal::number_of_threads<Concurrency_tag>(np);
     result.callback = internal::read_throwing_callback(np);
     return result;
   }

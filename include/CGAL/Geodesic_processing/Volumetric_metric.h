@@ -125,8 +125,8 @@ public:
   ///   \cgalParamNBegin{tolerance}
   ///     \cgalParamDescription{the maximum gap between the bounds, relative to the upper bound; the
   ///       error of the value is at most half of it} \cgalParamDefault{0.02} \cgalParamNEnd
-  ///   \cgalParamNBegin{threads} \cgalParamDescription{as for `geodesic_distance_matrix()`}
-  ///     \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_threads}
+  ///     \cgalParamDescription{as for `geodesic_distance_matrix()`} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
   ///     \cgalParamDescription{a `std::function<bool(double)>` that receives the fraction done. If
   ///       it returns false, the function throws `Cancelled`} \cgalParamNEnd
@@ -144,7 +144,7 @@ public:
   {
     internal::Volumetric_options options;
     options.tolerance = internal::parameter(np, internal_np::tolerance, options.tolerance);
-    options.threads = internal::threads<Concurrency_tag>(np);
+    options.number_of_threads = internal::number_of_threads<Concurrency_tag>(np);
     options.callback = internal::read_throwing_callback(np);
     std::vector<internal::Vec3> points;
     for(const auto& point : to)
@@ -157,8 +157,8 @@ public:
       cost.lower = found.lower;
       cost.upper = found.upper;
       cost.value = cost.estimate = 0.5 * (found.lower + found.upper);
-      cost.iterations = found.iterations;
-      cost.converged = found.upper - found.lower <= options.tolerance * found.upper;
+      cost.number_of_iterations = found.number_of_iterations;
+      cost.is_converged = found.upper - found.lower <= options.tolerance * found.upper;
       result.push_back(cost);
     }
     return result;

@@ -41,7 +41,8 @@ namespace CGAL::Geodesic_processing {
 ///   \cgalParamNBegin{outlier_percentage} \cgalParamDescription{the percentage of the points that
 ///     are outliers: the points farthest from their neighbors} \cgalParamDefault{0}
 ///     \cgalParamNEnd
-///   \cgalParamNBegin{threads} \cgalParamDefault{one; all with `Parallel_tag`} \cgalParamNEnd
+///   \cgalParamNBegin{number_of_threads} \cgalParamDefault{one; all with `Parallel_tag`}
+///     \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number of outliers. They are removed from a `Point_set_3`; in a range, their radius
@@ -65,9 +66,10 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
       coordinates.push_back(
           {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     }
-    auto surfels = internal::estimate_surfels(
-        coordinates, parameter(np, internal_np::number_of_neighbors, 18u),
-        parameter(np, internal_np::outlier_percentage, 0.), internal::threads<Concurrency_tag>(np));
+    auto surfels = internal::estimate_surfels(coordinates,
+                                              parameter(np, internal_np::number_of_neighbors, 18u),
+                                              parameter(np, internal_np::outlier_percentage, 0.),
+                                              internal::number_of_threads<Concurrency_tag>(np));
     using Vector = typename boost::property_traits<decltype(normal_map)>::value_type;
     std::size_t position = 0;
     for(auto&& element : points)

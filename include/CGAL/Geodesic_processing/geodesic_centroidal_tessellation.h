@@ -69,7 +69,8 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDescription{an output iterator that takes the energy at the start, after each
 ///       step, and after cells were added to obtain disks. Its unit is an area times a squared
 ///       distance} \cgalParamNEnd
-///   \cgalParamNBegin{threads} \cgalParamDescription{number of threads with `CGAL::Parallel_tag`}
+///   \cgalParamNBegin{number_of_threads}
+///     \cgalParamDescription{number of threads with `CGAL::Parallel_tag`}
 ///     \cgalParamDefault{all hardware threads} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
@@ -103,7 +104,7 @@ std::size_t geodesic_centroidal_tessellation(const Surface& surface, std::size_t
       internal::parameter(np, internal_np::maximum_number_of_iterations, options.max_steps);
   options.does_make_disks = internal::parameter(np, internal_np::do_make_discs, false);
   options.seed = unsigned(internal::parameter(np, CGAL::internal_np::random_seed, 0u));
-  options.threads = internal::threads<Concurrency_tag>(np);
+  options.number_of_threads = internal::number_of_threads<Concurrency_tag>(np);
   options.callback = front_limits.callback;
   const internal::Tessellation found = internal::tessellate(
       domain.triangles(), internal::Front(domain.triangles(), internal::front_kind<Method>()),

@@ -39,7 +39,7 @@ Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
   Distance_engine engine(method, domain.triangles());
   engine.select(asked);
   return distance_matrix(engine.row_engine(), domain.triangles()->scale, from, to, asked,
-                         threads<Concurrency_tag>(np));
+                         number_of_threads<Concurrency_tag>(np));
 }
 
 // Computes sparse_geodesic_distance_matrix() by a method that is selected at run time.
@@ -63,7 +63,7 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
   Distance_engine engine(method, domain.triangles());
   engine.select(asked);
   return sparse_distance_matrix(engine.row_engine(), domain.triangles()->scale, from, column_of,
-                                asked, threads<Concurrency_tag>(np));
+                                asked, number_of_threads<Concurrency_tag>(np));
 }
 
 } // namespace internal
@@ -89,7 +89,7 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///     \cgalParamDescription{targets farther than this distance are not reached}
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{threads}
+///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{the number of threads, used with `Parallel_tag`}
 ///     \cgalParamDefault{the number of hardware threads} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
@@ -124,7 +124,7 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 /// \param vertices a range of distinct vertices or surfels; row and column `i` belong to the `i`-th
 ///        one
 /// \param maximum_distance the bound of the distances, not negative
-/// \param np the named parameters of `make_domain()`, and `threads` and `callback` as for
+/// \param np the named parameters of `make_domain()`, and `number_of_threads` and `callback` as for
 ///        `geodesic_distance_matrix()`
 /// \returns a compressed matrix with sorted rows.  It has an entry for each pair within the bound,
 ///          even if the distance is 0.

@@ -21,7 +21,7 @@ namespace CGAL::Geodesic_processing {
   NAME(source_label_map)                                                                           \
   NAME(predecessor_map)                                                                            \
   NAME(radius_map)                                                                                 \
-  NAME(threads)                                                                                    \
+  NAME(number_of_threads)                                                                          \
   NAME(covering_radius)                                                                            \
   NAME(covering_radius_output)                                                                     \
   NAME(first_samples)                                                                              \

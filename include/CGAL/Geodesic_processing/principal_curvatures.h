@@ -61,7 +61,7 @@ double ball_radius(const NamedParameters& np)
 ///     \cgalParamDescription{the radius of the ball; on a cloud, it is enlarged if the ball has too
 ///       few surfels for the fit}
 ///     \cgalParamDefault{three times the mean length of the incident edges} \cgalParamNEnd
-///   \cgalParamNBegin{threads}
+///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{the number of threads, used with `Parallel_tag`}
 ///     \cgalParamDefault{the number of hardware threads} \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -78,7 +78,7 @@ void principal_curvatures(const Surface& surface, CurvatureMap curvatures,
   const double radius = internal::ball_radius(np);
   const double scale = domain.triangles()->scale;
   const auto found = internal::curvatures(domain.triangles(), radius / scale,
-                                          internal::threads<Concurrency_tag>(np));
+                                          internal::number_of_threads<Concurrency_tag>(np));
   const auto vector = [](const internal::Vec3& v)
   { return typename Result::Vector_3(v[0], v[1], v[2]); };
   domain.write(

@@ -86,7 +86,7 @@ void curvature_speeds(const Surface& surface, SpeedMap speeds,
   const auto domain = make_domain(surface, np);
   const auto curvatures =
       internal::total_curvatures(domain.triangles(), radius / domain.triangles()->scale,
-                                 internal::threads<Concurrency_tag>(np));
+                                 internal::number_of_threads<Concurrency_tag>(np));
   domain.write([&](internal::Index vertex)
                { return internal::speed(Speed(), strength * curvatures[vertex]); },
                speeds);
@@ -123,7 +123,7 @@ void similar_curvature_speeds(const Surface& surface, Vertex vertex, SpeedMap sp
   const internal::Index base_index = domain.inner_vertex(vertex).vertex;
   const auto curvature_sums =
       internal::doubled_mean_curvatures(domain.triangles(), radius / domain.triangles()->scale,
-                                        internal::threads<Concurrency_tag>(np));
+                                        internal::number_of_threads<Concurrency_tag>(np));
   domain.write(
       [&](internal::Index vertex) {
         return 1. / (1. + strength * std::abs(curvature_sums[vertex] - curvature_sums[base_index]));

@@ -42,8 +42,8 @@ Surfel_path<SurfelRange> surfel_geodesic_path(const SurfelRange& surfels, const 
 ///         results.
 /// \param finder the path finder of the cloud, which is not modified
 /// \param pairs a range of pairs of surfels or locations
-/// \param np `threads`: the number of threads, used with `Parallel_tag`; by default, the number of
-///        hardware threads
+/// \param np `number_of_threads`: the number of threads, used with `Parallel_tag`; by default, the
+///        number of hardware threads
 /// \returns a path for each pair; empty if its surfels or locations are not connected
 /// \throws as `Surfel_path_finder::operator()`
 template <typename Concurrency_tag = Sequential_tag, typename SurfelRange, typename Pairs,
@@ -56,8 +56,8 @@ surfel_geodesic_paths(const Surfel_path_finder<SurfelRange>& finder, const Pairs
   for(const auto& [from, to] : pairs)
     query_pairs.emplace_back(finder.tangent_location(from), finder.tangent_location(to));
   std::vector<Surfel_path<SurfelRange>> result;
-  for(const internal::Cloud_path& path :
-      internal::find_paths(finder.kernel(), query_pairs, internal::threads<Concurrency_tag>(np)))
+  for(const internal::Cloud_path& path : internal::find_paths(
+          finder.kernel(), query_pairs, internal::number_of_threads<Concurrency_tag>(np)))
     result.push_back(finder.outer(path));
   return result;
 }

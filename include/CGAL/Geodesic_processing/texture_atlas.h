@@ -76,7 +76,8 @@ struct Texture_atlas
 ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed} \cgalParamDescription{as for `farthest_point_sampling()`}
 ///     \cgalParamDefault{0} \cgalParamNEnd
-///   \cgalParamNBegin{threads} \cgalParamDescription{number of threads with `CGAL::Parallel_tag`}
+///   \cgalParamNBegin{number_of_threads}
+///     \cgalParamDescription{number of threads with `CGAL::Parallel_tag`}
 ///     \cgalParamDefault{all hardware threads} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
@@ -108,7 +109,7 @@ Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap 
   options.tessellation.max_steps =
       internal::parameter(np, internal_np::maximum_number_of_iterations, 5u);
   options.tessellation.seed = unsigned(internal::parameter(np, CGAL::internal_np::random_seed, 0u));
-  options.tessellation.threads = internal::threads<Concurrency_tag>(np);
+  options.tessellation.number_of_threads = internal::number_of_threads<Concurrency_tag>(np);
   options.tessellation.callback = front_limits.callback;
   options.texels = internal::parameter(np, internal_np::texture_size, options.texels);
   options.gutter = internal::parameter(np, internal_np::gutter_width, options.gutter);

@@ -23,11 +23,11 @@ struct Earth_movers_cost
   /// the value extrapolated from the last two refinement levels, not certified; without refinement
   /// the same as `value`
   double estimate = 0.;
-  unsigned iterations = 0; ///< the number of iterations on the finest level
+  unsigned number_of_iterations = 0; ///< the number of iterations on the finest level
   /// the largest difference of the divergence of the flow and the masses, relative to the total
   /// mass that is moved
   double residual = 0.;
-  bool converged = false; ///< whether the gap between the bounds is within the tolerance
+  bool is_converged = false; ///< whether the gap between the bounds is within the tolerance
 };
 
 /// \ingroup PkgGeodesicProcessingTransport
@@ -45,11 +45,11 @@ struct Transport_barycenter_cost
   double upper = 0.;
   /// the upper bound of the distance from the barycenter to each of the given mass distributions
   std::vector<double> distances;
-  unsigned iterations = 0; ///< the number of iterations
+  unsigned number_of_iterations = 0; ///< the number of iterations
   /// the largest difference of the divergence of a flow and the masses that it moves, relative to
   /// the total mass
   double residual = 0.;
-  bool converged = false; ///< whether the gap between the bounds is within the tolerance
+  bool is_converged = false; ///< whether the gap between the bounds is within the tolerance
 };
 
 } // namespace CGAL::Geodesic_processing

@@ -132,7 +132,7 @@ Atlas_result make_atlas(const Mesh& mesh, const Atlas_options& options, const Im
           .maximum_number_of_iterations(unsigned(options.iterations))
           .chart_map(Label_map<Mesh::Face_index>{&result.charts})
           .random_seed(job.seed())
-          .threads(job.threads())
+          .number_of_threads(job.threads())
           .callback(job.progress_callback("charts")));
   const GP::Flattening_distortion distortion = GP::flattening_distortion(mesh, corner_uv);
   job.report("charts", atlas.number_of_charts);

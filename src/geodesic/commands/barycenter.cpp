@@ -122,9 +122,9 @@ void run_barycenter(Job& job, const Barycenter_options& options)
   cost.value = result.cost.value;
   cost.lower = result.cost.lower;
   cost.upper = result.cost.upper;
-  cost.iterations = result.cost.iterations;
+  cost.number_of_iterations = result.cost.number_of_iterations;
   cost.residual = result.cost.residual;
-  cost.converged = result.cost.converged;
+  cost.is_converged = result.cost.is_converged;
   report(job, options, cost, "squared distances");
   job.result()["distances"] = result.cost.distances;
   if(result.point)

@@ -71,7 +71,7 @@ Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& optio
                       .surfel_noise(options.surfels.noise)
                       .surfel_path_method(options.method)
                       .number_of_control_points(options.control_points)
-                      .threads(job.threads());
+                      .number_of_threads(job.threads());
   const auto radius = cloud.property_map<double>("radius");
   return radius.second ? Path_finder(cloud, np.radius_map(radius.first)) : Path_finder(cloud, np);
 }

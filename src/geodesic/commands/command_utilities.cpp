@@ -101,7 +101,7 @@ Mesh_domain make_domain(const Mesh& mesh, const Job&) { return Mesh_domain(mesh)
 
 Cloud_domain make_domain(const Cloud& cloud, const Job& job)
 {
-  return Cloud_domain(cloud, GP::parameters::threads(job.threads()));
+  return Cloud_domain(cloud, GP::parameters::number_of_threads(job.threads()));
 }
 
 template <typename Domain>

@@ -42,7 +42,7 @@ std::vector<double> metric_distances(const Domain& domain, const Distance_option
 {
   std::vector<double> result(job.surface().file.points.size());
   const Value_map<typename Domain::Vertex> map{&result};
-  const auto np = GP::parameters::threads(job.threads())
+  const auto np = GP::parameters::number_of_threads(job.threads())
                       .callback(job.progress_callback("distance to each vertex"));
   with_metric<Surface_type>(
       domain, options.method, options.basis_size, job,

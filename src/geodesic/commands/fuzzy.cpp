@@ -52,7 +52,7 @@ Transport_result compute_likelihoods(const Surface_type& surface, std::size_t fr
   if(options.width)
     compute(GP::parameters::width(*options.width));
   else
-    compute(GP::parameters::threads(job.threads()));
+    compute(GP::parameters::number_of_threads(job.threads()));
   result.triangles = picture_triangles(domain, job);
   return result;
 }

@@ -121,7 +121,7 @@ Picture_regions report_cloud(Job& job)
 {
   const Surface_file& file = job.surface().file;
   internal::Surfel_options options;
-  options.threads = job.threads();
+  options.number_of_threads = job.threads();
   const auto surfels = internal::build_surfel_arrays(file.points, file.normals, {}, options);
   job.begin_stage("query");
   const std::size_t components = internal::components(surfels.arrays).second;

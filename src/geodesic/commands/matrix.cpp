@@ -89,7 +89,7 @@ Matrix_result compute_matrix(const Surface_type& surface, const Matrix_options& 
     descriptors.push_back(vertex_at<Surface_type>(vertex));
 
   const auto parameters =
-      GP::parameters::threads(job.threads()).callback(job.progress_callback("distances"));
+      GP::parameters::number_of_threads(job.threads()).callback(job.progress_callback("distances"));
   if(is_metric(options.method))
   {
     with_metric<Surface_type>(domain, options.method, options.basis_size, job,

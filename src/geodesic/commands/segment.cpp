@@ -43,7 +43,7 @@ Segment_result find_cells(const Surface_type& surface, const Segment_options& op
   result.labels.assign(is_mesh<Surface_type> ? file.number_of_polygons() : file.points.size(), -1);
   std::vector<typename Domain::Location> centers;
   const auto parameters = GP::parameters::random_seed(job.seed())
-                              .threads(job.threads())
+                              .number_of_threads(job.threads())
                               .maximum_number_of_iterations(unsigned(options.iterations))
                               .do_make_discs(options.make_disks)
                               .center_output(std::back_inserter(centers))

@@ -171,7 +171,7 @@ std::vector<double> compute_speeds(const Domain& domain, const Speed_options& op
     else
       result = property(job.surface(), options.speed);
   };
-  const auto np = GP::parameters::threads(job.threads());
+  const auto np = GP::parameters::number_of_threads(job.threads());
   if(options.strength)
     make(np.strength(*options.strength));
   else

@@ -29,7 +29,7 @@ std::size_t prepare_cloud(Cloud& cloud, const Surfels_options& options, const Jo
   const std::size_t removed = GP::estimate_surfels<CGAL::Parallel_tag>(
       cloud, GP::parameters::number_of_neighbors(options.neighbors)
                  .outlier_percentage(options.outlier_percentage)
-                 .threads(job.threads()));
+                 .number_of_threads(job.threads()));
   auto radius = cloud.property_map<double>("radius").first;
   cloud.remove_property_map(radius);
   if(!options.estimate_normals)

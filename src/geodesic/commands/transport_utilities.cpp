@@ -237,14 +237,14 @@ void report(Job& job, const Transport_options& options, const GP::Earth_movers_c
   job.result()["upper"] = json_number(cost.upper);
   if(options.bound_above)
     job.result()["upper_continuous"] = json_number(cost.upper_continuous);
-  job.result()["iterations"] = cost.iterations;
+  job.result()["iterations"] = cost.number_of_iterations;
   job.result()["residual"] = json_number(cost.residual);
-  job.result()["converged"] = cost.converged;
+  job.result()["converged"] = cost.is_converged;
   print_line(title, rounded_text(cost.value));
   print_line("bounds", rounded_text(cost.lower) + " to " + rounded_text(cost.upper));
   if(options.bound_above)
     print_line("on the surface", "at most " + rounded_text(cost.upper_continuous));
-  if(!cost.converged)
+  if(!cost.is_converged)
     job.print_warning("the gap between the bounds exceeds --tolerance");
 }
 

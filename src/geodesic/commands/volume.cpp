@@ -131,7 +131,7 @@ void run_slices(Job& job, const Volume_options& options, const Metric& metric,
   for(const GP::Earth_movers_cost& cost : metric.costs<CGAL::Parallel_tag>(
           from, points,
           GP::parameters::tolerance(options.user_tolerance.value_or(0.02))
-              .threads(job.threads())
+              .number_of_threads(job.threads())
               .callback(job.progress_callback("distances on slices"))))
   {
     distances.push_back(cost.value);

@@ -14,11 +14,11 @@ using CGAL::Geodesic_processing::internal::for_each_block;
 
 TEST(Parallel, blocks_partition_range)
 {
-  for(const unsigned threads : {1u, 3u, 16u})
+  for(const unsigned number_of_threads : {1u, 3u, 16u})
     for(const std::size_t size : {0u, 1u, 7u, 8u, 9u, 1000u})
     {
       std::vector<std::size_t> block_of(size, size);
-      for_each_block(size, 8, threads,
+      for_each_block(size, 8, number_of_threads,
                      [&](std::size_t block, std::size_t begin, std::size_t end)
                      {
                        for(std::size_t i = begin; i < end; ++i)
@@ -31,8 +31,8 @@ TEST(Parallel, blocks_partition_range)
 
 TEST(Parallel, exception_is_rethrown)
 {
-  for(const unsigned threads : {1u, 4u})
-    EXPECT_THROW(for_each_block(100, 1, threads,
+  for(const unsigned number_of_threads : {1u, 4u})
+    EXPECT_THROW(for_each_block(100, 1, number_of_threads,
                                 [](std::size_t block, std::size_t, std::size_t)
                                 {
                                   if(block == 50)

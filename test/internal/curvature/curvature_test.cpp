@@ -16,10 +16,11 @@ using namespace CGAL::Geodesic_processing::test;
 
 // Returns the curvatures by the vertices of a triangulation, in its unit.
 std::vector<Curvature> curvatures_of(const Triangulation& shape, double radius = 0.,
-                                     unsigned threads = 1)
+                                     unsigned number_of_threads = 1)
 {
   const Array_surface surface(shape);
-  const auto by_vertex = curvatures(surface.triangles(), radius / surface.scale(), threads);
+  const auto by_vertex =
+      curvatures(surface.triangles(), radius / surface.scale(), number_of_threads);
   std::vector<Curvature> result(shape.points.size());
   for(Index i = 0; i < result.size(); ++i)
   {

@@ -132,7 +132,7 @@ TEST(atlas, is_independent_of_threads)
   const Array_surface arrays(jittered(icosphere(3), 0.05));
   Atlas_options options = options_for(10);
   const Atlas one = atlas_of(arrays, options);
-  options.tessellation.threads = 3;
+  options.tessellation.number_of_threads = 3;
   const Atlas three = atlas_of(arrays, options);
   EXPECT_EQ(one.coordinates, three.coordinates);
   EXPECT_EQ(one.chart, three.chart);

@@ -146,12 +146,12 @@ TEST(charts, overlapping_image_is_not_injective)
 TEST(charts, is_independent_of_threads)
 {
   std::vector<std::vector<Vec2>> images[2];
-  for(const unsigned threads : {1u, 3u})
+  for(const unsigned number_of_threads : {1u, 3u})
   {
     Chart_options options;
-    options.threads = threads;
+    options.number_of_threads = number_of_threads;
     for(const Chart& chart : charts_of(spiral_stairs(2.3, 1.), options))
-      images[threads / 3].push_back(chart.image);
+      images[number_of_threads / 3].push_back(chart.image);
   }
   EXPECT_EQ(images[0], images[1]);
 }

@@ -409,7 +409,7 @@ TEST(Cloud_path_finder, is_independent_of_number_of_threads)
   const Cloud cloud = with_noise(torus_cloud(2000, 0.4), std::vector<double>(2200, 0.05), 0.5, 1);
   Cloud_path_options options;
   Finder one(cloud, options);
-  options.cloud.threads = 3;
+  options.cloud.number_of_threads = 3;
   Finder three(cloud, options);
   std::vector<std::pair<Tangent_location, Tangent_location>> pairs;
   for(std::size_t i = 0; i < 20; ++i)

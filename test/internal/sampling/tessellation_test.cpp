@@ -245,7 +245,7 @@ TEST(Tessellation, is_independent_of_threads_and_can_be_cancelled)
   const Array_surface surface(jittered(icosphere(4), 0.02));
   Tessellation_options options;
   const Tessellation one = cells(surface.triangles(), 30, options);
-  options.threads = 3;
+  options.number_of_threads = 3;
   const Tessellation three = cells(surface.triangles(), 30, options);
   EXPECT_EQ(one.labels, three.labels);
   EXPECT_EQ(one.energies, three.energies);

@@ -128,7 +128,7 @@ TEST(Surfel_cloud, does_not_depend_on_number_of_threads)
   const Cloud torus = torus_cloud(9000, 0.4);
   Surfel_cloud_options options;
   const Surfel_cloud one = make_cloud(torus.points, torus.normals, {}, options);
-  options.threads = 3;
+  options.number_of_threads = 3;
   const Surfel_cloud three = make_cloud(torus.points, torus.normals, {}, options);
   EXPECT_EQ(one.graph.begin, three.graph.begin);
   EXPECT_EQ(one.graph.target, three.graph.target);

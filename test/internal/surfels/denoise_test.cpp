@@ -26,9 +26,9 @@ double deviation(const Cloud& cloud, const Distance& distance)
   return std::sqrt(sum / double(cloud.size()));
 }
 
-Cloud denoised(Cloud cloud, unsigned threads = 1)
+Cloud denoised(Cloud cloud, unsigned number_of_threads = 1)
 {
-  denoise(cloud.points, cloud.normals, threads);
+  denoise(cloud.points, cloud.normals, number_of_threads);
   return cloud;
 }
 

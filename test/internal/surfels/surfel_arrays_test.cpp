@@ -341,7 +341,7 @@ TEST(Surfel_arrays, does_not_depend_on_number_of_threads)
   const Cloud cloud = merged(random_sphere(10000), random_square(5000, 7, 3.));
   const Surfel_arrays one = cloud.build_arrays();
   Surfel_options options;
-  options.threads = 4;
+  options.number_of_threads = 4;
   const Surfel_arrays four = cloud.build_arrays(options);
   EXPECT_EQ(one.arrays.corner, four.arrays.corner);
   EXPECT_EQ(one.arrays.weight, four.arrays.weight);

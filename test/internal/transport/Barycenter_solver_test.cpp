@@ -109,14 +109,14 @@ TEST(Barycenter_solver, bounds_are_certified)
                                         gaussian(surface, solver.operators(), n / 4, 0.3)};
     const std::vector<double> weights = {1., 0.5, 2.};
     const Barycenter_result found = solver.solve(masses, weights, with_tolerance(0.01));
-    EXPECT_TRUE(found.converged);
+    EXPECT_TRUE(found.is_converged);
     EXPECT_GE(found.lower, 0.99 * found.upper);
     expect_certified(solver.operators(), masses, weights, found);
     Barycenter_options few_iterations = with_tolerance(1e-6);
     few_iterations.maximum_iterations = 10;
     const Barycenter_result rough = solver.solve(masses, weights, few_iterations);
-    EXPECT_FALSE(rough.converged);
-    EXPECT_EQ(rough.iterations, 10u);
+    EXPECT_FALSE(rough.is_converged);
+    EXPECT_EQ(rough.number_of_iterations, 10u);
     expect_certified(solver.operators(), masses, weights, rough);
     EXPECT_LE(rough.lower, found.upper);
     EXPECT_LE(found.lower, rough.upper);
@@ -180,7 +180,7 @@ TEST(Barycenter_solver, matches_centroid_cost_in_plane)
     for(std::size_t i = 0; i < points.size(); ++i)
       exact += weights[i] * std::pow(test::distance(surface.point(points[i]), mean) / unit, 2);
     const Barycenter_result found = solver.solve(masses, weights, with_tolerance(0.003));
-    EXPECT_TRUE(found.converged);
+    EXPECT_TRUE(found.is_converged);
     EXPECT_LE(found.lower, exact * (1. + round_off));
     EXPECT_GE(found.upper, exact * (1. - round_off));
     // By Jensen's inequality, the cost of a distribution is at least that of its center of mass.
@@ -201,7 +201,7 @@ TEST(Barycenter_solver, barycenter_of_equal_masses_is_the_mass)
   const Vector masses = gaussian(surface, solver.operators(), 5, 0.4);
   const Barycenter_result found = solver.solve({masses, masses, masses}, {1., 1., 1.});
   EXPECT_LT(found.upper, round_off * round_off);
-  EXPECT_TRUE(found.converged);
+  EXPECT_TRUE(found.is_converged);
   EXPECT_LT((found.masses - masses).lpNorm<1>(), round_off);
   const Barycenter_result single = solver.solve({masses}, {3.});
   EXPECT_LT(single.upper, round_off * round_off);
@@ -215,7 +215,7 @@ TEST(Barycenter_solver, full_weight_selects_mass)
   const std::vector<Vector> masses = {at(surface, {0}), at(surface, {100}), at(surface, {200})};
   const Barycenter_result found = solver.solve(masses, {0., 2., 0.});
   EXPECT_EQ(found.value, 0.);
-  EXPECT_TRUE(found.converged);
+  EXPECT_TRUE(found.is_converged);
   EXPECT_LT((found.masses - masses[1]).lpNorm<1>(), round_off);
   // If the barycenter is the second mass, the first one of weight e costs e W^2.
   const Transport_solver distances(operators(surface.t()));
@@ -263,7 +263,7 @@ TEST(Barycenter_solver, preserves_component_masses)
   };
   const std::vector<double> weights = {1., 1.};
   const Barycenter_result found = solver.solve(masses, weights);
-  EXPECT_TRUE(found.converged);
+  EXPECT_TRUE(found.is_converged);
   expect_certified(solver.operators(), masses, weights, found);
   double mass_on_first = 0.;
   for(Index i = 0; i < n; ++i)
@@ -282,8 +282,8 @@ TEST(Barycenter_solver, warm_start_continues)
   Barycenter_options options;
   options.warm_start = found.state;
   const Barycenter_result warm_started = solver.solve(masses, weights, options);
-  EXPECT_TRUE(warm_started.converged);
-  EXPECT_LT(4 * warm_started.iterations, found.iterations);
+  EXPECT_TRUE(warm_started.is_converged);
+  EXPECT_LT(4 * warm_started.number_of_iterations, found.number_of_iterations);
 }
 
 TEST(Barycenter_solver, can_be_cancelled)
@@ -300,7 +300,7 @@ TEST(Barycenter_solver, can_be_cancelled)
     return fraction < 0.5;
   };
   const Barycenter_result found = solver.solve(masses, {1., 1.}, options);
-  EXPECT_FALSE(found.converged);
+  EXPECT_FALSE(found.is_converged);
   expect_certified(solver.operators(), masses, {1., 1.}, found);
 }
 

@@ -39,7 +39,7 @@ TEST(Multilevel_barycenter_solver, cost_is_exact_in_refined_plane)
     const Multilevel_barycenter_solver solver(surface.triangles(), refinements);
     const Barycenter_result found =
         solver.solve({at(surface.at(from)), at(surface.at(to))}, {1., 1.});
-    EXPECT_TRUE(found.converged);
+    EXPECT_TRUE(found.is_converged);
     EXPECT_LE(found.lower, exact * (1. + round_off));
     EXPECT_GE(found.upper, exact * (1. - round_off));
     ASSERT_EQ(found.masses.size(), Eigen::Index(surface.size()));

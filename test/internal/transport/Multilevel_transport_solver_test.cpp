@@ -174,7 +174,7 @@ TEST(Multilevel_transport_solver, accepts_all_kinds_of_masses)
   {
     const Transport_result found = Multilevel_transport_solver(surface.triangles(), refinements)
                                        .solve(all, at(surface.at(80)), with_tolerance(1e-4));
-    EXPECT_TRUE(found.converged);
+    EXPECT_TRUE(found.is_converged);
     EXPECT_LE(found.lower, exact);
     const double edge_length = 0.125 / double(1 << refinements);
     EXPECT_GE(found.value, exact - 0.12 * edge_length * std::log2(1. / edge_length));
@@ -271,7 +271,7 @@ TEST(Multilevel_transport_solver, avoids_obstacles)
   const Mass_distribution point_mass = at(surface.at(0), 1. - 0.75 / double(n));
   const Transport_result spread = Multilevel_transport_solver(surface.triangles(), 1, metric)
                                       .solve(uniform, point_mass, with_tolerance(1e-4, true));
-  EXPECT_TRUE(spread.converged);
+  EXPECT_TRUE(spread.is_converged);
   EXPECT_GT(spread.upper_continuous, spread.upper);
 }
 
@@ -287,7 +287,7 @@ TEST(Multilevel_transport_solver, lower_bound_holds_across_degenerate_triangles)
     const Multilevel_transport_solver solver(surface.triangles(), refinements);
     const Transport_result found =
         solver.solve(at(surface.at(2)), at(surface.at(3)), with_tolerance(1e-4, true));
-    EXPECT_TRUE(found.converged);
+    EXPECT_TRUE(found.is_converged);
     EXPECT_LE(found.lower, 1. + 1e-6); // ten times the height of the thickened degenerate triangle
     EXPECT_NEAR(found.value, 1., 1e-4);
     EXPECT_GE(found.upper_continuous, 1.);
@@ -351,22 +351,22 @@ TEST(Multilevel_transport_solver, methods_agree)
   Transport_options options = with_tolerance(0.01);
   options.method = Transport_method::admm;
   const Transport_result cold_start = solver.solve(from, to, options);
-  EXPECT_TRUE(cold_start.converged);
+  EXPECT_TRUE(cold_start.is_converged);
   EXPECT_LE(cold_start.lower, value * (1. + 1e-5));
   EXPECT_GE(cold_start.upper, value * (1. - 1e-5));
   // From the final state, with the same masses.
   options.warm_start = cold_start.state;
   const Transport_result warm_started = solver.solve(from, to, options);
-  EXPECT_TRUE(warm_started.converged);
-  EXPECT_LE(warm_started.iterations, 20u);
-  EXPECT_LT(warm_started.iterations, cold_start.iterations);
+  EXPECT_TRUE(warm_started.is_converged);
+  EXPECT_LE(warm_started.number_of_iterations, 20u);
+  EXPECT_LT(warm_started.number_of_iterations, cold_start.number_of_iterations);
 
   options = with_tolerance(0.02);
   options.method = Transport_method::weiszfeld;
   const Transport_result reweighted = solver.solve(from, to, options);
   EXPECT_LE(reweighted.lower, value * (1. + 1e-5));
   EXPECT_GE(reweighted.upper, value * (1. - 1e-5));
-  EXPECT_TRUE(reweighted.converged);
+  EXPECT_TRUE(reweighted.is_converged);
 }
 
 // Returns the exact distance of each point to the nearest point of a region.
@@ -423,7 +423,7 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
       const double exact = distance[from];
       const Transport_result found =
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
-      EXPECT_TRUE(found.converged);
+      EXPECT_TRUE(found.is_converged);
       EXPECT_NEAR(found.value, 2. * exact, 1e-5);  // in the plane the only error is the gap
       EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // round-off errors of many steps
       EXPECT_NEAR(-2. * found.potential[surface.vertex(from)], found.lower, round_off);
@@ -529,7 +529,7 @@ TEST(Multilevel_transport_solver, respects_capacities)
       const Multilevel_transport_solver solver(surface.triangles(), refinements, {}, region);
       const Transport_result found =
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
-      EXPECT_TRUE(found.converged);
+      EXPECT_TRUE(found.is_converged);
       EXPECT_LE(found.lower, exact * (1. + round_off));
       // Around a vertex from which flows leave in several directions, a fraction of an edge
       // length is lost.

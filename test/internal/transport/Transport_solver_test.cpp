@@ -119,9 +119,9 @@ TEST(Transport_solver, bounds_are_certified)
     for(const double tolerance : {0.1, 1e-3, 1e-5})
     {
       const Transport_result transport = solver.solve(masses, with_tolerance(tolerance));
-      EXPECT_TRUE(transport.converged);
+      EXPECT_TRUE(transport.is_converged);
       EXPECT_LE(transport.upper - transport.lower, tolerance * transport.upper);
-      EXPECT_LE(transport.iterations, 30u);
+      EXPECT_LE(transport.number_of_iterations, 30u);
       expect_certified(solver.operators(), masses, transport);
     }
   }
@@ -221,7 +221,7 @@ TEST(Transport_solver, zero_masses_cost_nothing)
 {
   const Transport_solver solver(operators(Array_surface(torus(12, 8)).t()));
   const Transport_result transport = solver.solve(Vector::Zero(96));
-  EXPECT_TRUE(transport.converged);
+  EXPECT_TRUE(transport.is_converged);
   EXPECT_EQ(transport.upper, 0.);
   EXPECT_EQ(transport.value, 0.);
   EXPECT_EQ(transport.potential, Vector::Zero(96));
@@ -247,7 +247,7 @@ TEST(Transport_solver, is_additive_over_components)
   // No mass on one of the components.
   const Transport_result transport =
       solver.solve(point_to_point(both, 0, 50), with_tolerance(1e-5));
-  EXPECT_TRUE(transport.converged);
+  EXPECT_TRUE(transport.is_converged);
   EXPECT_THROW(solver.solve(point_to_point(both, 0, n)), Invalid_argument_error);
 }
 
@@ -285,7 +285,7 @@ TEST(Transport_solver, handles_degenerate_triangles)
   const Transport_solver solver(operators(surface.t()));
   const Vector masses = point_to_point(surface, 0, 440);
   const Transport_result transport = solver.solve(masses);
-  EXPECT_TRUE(transport.converged);
+  EXPECT_TRUE(transport.is_converged);
   EXPECT_LT(transport.residual, 1e-6); // needles of height 1e-9 amplify round-off errors
   EXPECT_NEAR(transport.value * surface.scale(), std::sqrt(2.), 0.01);
 }
@@ -328,8 +328,8 @@ struct Exit_problem
 void expect_certified(const Exit_problem& problem, const std::vector<Exit>& exits,
                       const Transport_result& transport)
 {
-  EXPECT_TRUE(transport.converged);
-  EXPECT_LE(transport.iterations, 30);
+  EXPECT_TRUE(transport.is_converged);
+  EXPECT_LE(transport.number_of_iterations, 30);
   EXPECT_NEAR(transport.outflow.sum(), -problem.masses.sum(), round_off);
   EXPECT_LT(transport.residual, round_off);
   Vector missing = problem.masses;
@@ -477,8 +477,8 @@ TEST(Transport_solver, can_be_cancelled)
   };
   const Transport_result transport = solver.solve(masses, options);
   EXPECT_EQ(calls, 4u);
-  EXPECT_EQ(transport.iterations, 3u);
-  EXPECT_FALSE(transport.converged);
+  EXPECT_EQ(transport.number_of_iterations, 3u);
+  EXPECT_FALSE(transport.is_converged);
   expect_certified(solver.operators(), masses, transport);
 }
 

@@ -28,11 +28,11 @@ constexpr double round_off = 1e-9, float_round_off = 1e-5;
 constexpr Particular_field all_kinds[] = {Particular_field::gradient,
                                           Particular_field::raviart_thomas};
 
-Spectral_transport_options with_tolerance(double tolerance, unsigned threads = 1)
+Spectral_transport_options with_tolerance(double tolerance, unsigned number_of_threads = 1)
 {
   Spectral_transport_options result;
   result.tolerance = tolerance;
-  result.threads = threads;
+  result.number_of_threads = number_of_threads;
   return result;
 }
 

@@ -76,13 +76,13 @@ TEST(volumetric, one_to_many_is_independent_of_threads)
     to.push_back(random_point(random, 4.));
   Volumetric_options options;
   const auto single = distances.one_to_many({0.5, 0.5, 6.}, to, options);
-  options.threads = 3;
+  options.number_of_threads = 3;
   const auto parallel = distances.one_to_many({0.5, 0.5, 6.}, to, options);
   for(std::size_t i = 0; i < to.size(); ++i)
   {
     EXPECT_EQ(single[i].lower, parallel[i].lower);
     EXPECT_EQ(single[i].upper, parallel[i].upper);
-    EXPECT_EQ(single[i].iterations, parallel[i].iterations);
+    EXPECT_EQ(single[i].number_of_iterations, parallel[i].number_of_iterations);
   }
 }
 

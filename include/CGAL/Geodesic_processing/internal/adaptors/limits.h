@@ -96,14 +96,15 @@ Front_limits limits(const Domain& domain, const NamedParameters& np)
 }
 
 // Returns the number of threads: 1 if `Concurrency_tag` is `Sequential_tag`, otherwise the named
-// parameter `threads`, by default the number of hardware threads.
+// parameter `number_of_threads`, by default the number of hardware threads.
 template <typename Concurrency_tag, typename NamedParameters>
-unsigned threads(const NamedParameters& np)
+unsigned number_of_threads(const NamedParameters& np)
 {
   if constexpr(std::is_same_v<Concurrency_tag, Sequential_tag>)
     return 1;
   else
-    return parameter(np, internal_np::threads, (std::max)(1u, std::thread::hardware_concurrency()));
+    return parameter(np, internal_np::number_of_threads,
+                     (std::max)(1u, std::thread::hardware_concurrency()));
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -13,13 +13,14 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Calls body(block, begin, end) for all blocks of a partition of 0..size-1 into blocks of
-// `block_size`.  The partition does not depend on `threads`.  If each call writes only to data of
-// its own block, the result is the same for every number of threads.
+// `block_size`.  The partition does not depend on `number_of_threads`.  If each call writes only to
+// data of its own block, the result is the same for every number of threads.
 //
 // If a call throws, the remaining blocks are skipped, and the exception of the thread with the
 // lowest index is rethrown.
 template <typename Body>
-void for_each_block(std::size_t size, std::size_t block_size, unsigned threads, const Body& body)
+void for_each_block(std::size_t size, std::size_t block_size, unsigned number_of_threads,
+                    const Body& body)
 {
   const std::size_t number_of_blocks = (size + block_size - 1) / block_size;
   std::atomic<std::size_t> next_block{0};
@@ -28,10 +29,10 @@ void for_each_block(std::size_t size, std::size_t block_size, unsigned threads, 
     for(std::size_t block; (block = next_block++) < number_of_blocks;)
       body(block, block * block_size, std::min(size, (block + 1) * block_size));
   };
-  const std::size_t number_of_threads = std::min<std::size_t>(threads, number_of_blocks);
-  if(number_of_threads < 2)
+  const std::size_t number_of_workers = std::min<std::size_t>(number_of_threads, number_of_blocks);
+  if(number_of_workers < 2)
     return process_blocks();
-  std::vector<std::exception_ptr> errors(number_of_threads);
+  std::vector<std::exception_ptr> errors(number_of_workers);
   const auto process_guarded = [&](std::size_t thread)
   {
     try
@@ -45,7 +46,7 @@ void for_each_block(std::size_t size, std::size_t block_size, unsigned threads, 
     }
   };
   std::vector<std::thread> pool;
-  for(std::size_t thread = 1; thread < number_of_threads; ++thread)
+  for(std::size_t thread = 1; thread < number_of_workers; ++thread)
     pool.emplace_back(process_guarded, thread);
   process_guarded(0);
   for(std::thread& thread : pool)

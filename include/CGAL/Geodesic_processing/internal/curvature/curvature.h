@@ -30,7 +30,7 @@ struct Curvature
 // k vertices per ball.  The results do not depend on the number of threads.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Curvature> curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
-                                  double radius, unsigned threads);
+                                  double radius, unsigned number_of_threads);
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -16,13 +16,13 @@ namespace CGAL::Geodesic_processing::internal {
 // them with this radius, times the square root of the surface's area.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> total_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
-                                     double radius, unsigned threads);
+                                     double radius, unsigned number_of_threads);
 
 // Returns min_curvature + max_curvature of each vertex, which is twice the mean curvature, times
 // the square root of the surface's area.  Negative if the surface bends towards its normals.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> doubled_mean_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
-                                            double radius, unsigned threads);
+                                            double radius, unsigned number_of_threads);
 
 // The total curvature of a sphere: 4 sqrt(pi).
 inline constexpr double sphere_total_curvature = 7.0898154036220641;

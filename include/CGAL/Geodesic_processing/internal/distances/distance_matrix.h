@@ -20,7 +20,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::MatrixXd distance_matrix(const Row_engine& engine, double scale,
                                 const std::vector<Front_source>& from,
                                 const std::vector<Surface_location>& to, const Front_limits& limits,
-                                unsigned threads);
+                                unsigned number_of_threads);
 
 // Returns the distances between the sources that are within the limits, times `scale`.  The matrix
 // is #from x #from.  column: #vertices; the position of a vertex among the sources, or none.
@@ -30,7 +30,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::SparseMatrix<double, Eigen::RowMajor>
 sparse_distance_matrix(const Row_engine& engine, double scale,
                        const std::vector<Front_source>& from, const std::vector<Index>& column,
-                       const Front_limits& limits, unsigned threads);
+                       const Front_limits& limits, unsigned number_of_threads);
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -46,7 +46,7 @@ struct Chart_options
   std::size_t max_steps = 20; // maximum number of Newton steps
   // the iteration ends if a step decreases the energy by less than this fraction
   double energy_tolerance = 1e-3;
-  unsigned threads = 1;
+  unsigned number_of_threads = 1;
   std::function<bool(double)> callback; // gets the fraction done; cancels by returning false
 };
 

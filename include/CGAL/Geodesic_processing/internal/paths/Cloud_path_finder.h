@@ -72,8 +72,8 @@ private:
   Surfel_cloud build_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
                            const std::vector<double>& radii, const Cloud_path_options& options);
   void store_given_cloud(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
-                         unsigned threads);
-  void limit_displacements(std::vector<Vec3>& points, unsigned threads) const;
+                         unsigned number_of_threads);
+  void limit_displacements(std::vector<Vec3>& points, unsigned number_of_threads) const;
 
   double m_noise = 0.;
   Cloud_path_options m_options;
@@ -129,7 +129,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Cloud_path>
 find_paths(const Cloud_path_finder& finder,
            const std::vector<std::pair<Tangent_location, Tangent_location>>& pairs,
-           unsigned threads);
+           unsigned number_of_threads);
 
 } // namespace CGAL::Geodesic_processing::internal
 

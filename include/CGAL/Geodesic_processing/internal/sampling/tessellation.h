@@ -19,7 +19,7 @@ struct Tessellation_options
   double energy_tolerance = 1e-3; // stops if a step decreases the energy by a smaller fraction
   bool does_make_disks = false;   // adds cells until each patch of a mesh is a disk
   unsigned seed = 0;              // as in Sampling_options
-  unsigned threads = 1;
+  unsigned number_of_threads = 1;
   // Receives the fraction that is completed. If it returns false, the computation is cancelled.
   std::function<bool(double)> callback;
 };

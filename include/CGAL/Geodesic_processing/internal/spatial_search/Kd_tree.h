@@ -43,7 +43,7 @@ public:
   // former index of each point.  The result depends neither on the order of the input nor on the
   // number of threads; only coincident points keep their order.  O(n log n).
   CGAL_GEODESIC_PROCESSING_EXPORT
-  Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned threads = 1);
+  Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned number_of_threads = 1);
 
   std::size_t size() const { return m_size; }
 

@@ -29,7 +29,7 @@ struct Surfel_cloud_options
   // lattice, sqrt(2) yields edges in 16 directions, whose shortest paths are at most 2.7 % too
   // long.  A ratio of 1 yields 8 directions and 8 %.
   double influence_ratio = 1.4142135623730951;
-  unsigned threads = 1; // does not change the result
+  unsigned number_of_threads = 1; // does not change the result
 };
 
 // A cloud of surfels in the order of its kd-tree, with a proximity graph.  Paths on clouds use it.

@@ -20,7 +20,7 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Surfel_coverage
 public:
   // Precomputes the radii; O(n).  Keeps a reference to the cloud.  The graph of the cloud must be
   // of type `extended_spheres`; only the constructor uses it.
-  explicit Surfel_coverage(const Surfel_cloud& cloud, unsigned threads = 1);
+  explicit Surfel_coverage(const Surfel_cloud& cloud, unsigned number_of_threads = 1);
 
   // Returns an estimate of the distance from a vertex up to which points are covered.  It is the
   // third largest spacing of the vertex and its graph neighbors.  It is an overestimate if the

@@ -25,7 +25,7 @@ struct Surfel_options
   // If no radii are given, the radius of a surfel is the distance to its neighbor of this rank,
   // divided by sqrt(2).
   unsigned rank = 8;
-  unsigned threads = 1; // does not change the result
+  unsigned number_of_threads = 1; // does not change the result
 };
 
 // The arrays of a cloud, and the maps between the caller's surfels and the vertices of the arrays.

@@ -31,7 +31,7 @@ struct Estimated_surfels
 // remaining points does not exceed the number of neighbors.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned number_of_neighbors,
-                                   double outlier_percentage, unsigned threads = 1);
+                                   double outlier_percentage, unsigned number_of_threads = 1);
 
 } // namespace CGAL::Geodesic_processing::internal
 

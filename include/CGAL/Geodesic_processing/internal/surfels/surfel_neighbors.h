@@ -91,7 +91,8 @@ struct Sorted_surfels
 // Throws the exceptions of unit_frame().  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Sorted_surfels sort_surfels(std::vector<Vec3> points, const std::vector<Vec3>& normals,
-                            double cosine, unsigned threads, const Frame* frame = nullptr);
+                            double cosine, unsigned number_of_threads,
+                            const Frame* frame = nullptr);
 
 // Rows of different lengths, which several threads fill block by block.  A block consists of
 // `surfel_block_size` rows and has its own buffer.  begin() and end() work before and after join().
@@ -153,9 +154,9 @@ private:
 // its `count` nearest points, sorted by distance.  Threads visit different blocks in parallel.
 template <typename Visit>
 void visit_nearest(const std::vector<Vec3>& point, const Kd_tree& tree, std::size_t count,
-                   unsigned threads, const Visit& visit)
+                   unsigned number_of_threads, const Visit& visit)
 {
-  for_each_block(tree.size(), surfel_block_size, threads,
+  for_each_block(tree.size(), surfel_block_size, number_of_threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    Leaf_neighbors nearest(point, tree, count + 1);
@@ -187,7 +188,7 @@ struct Neighbor_distances
 CGAL_GEODESIC_PROCESSING_EXPORT
 Ragged_rows find_neighbors(const Sorted_surfels& surfels,
                            const Compatibility_test* compatibility_test, std::size_t count,
-                           unsigned threads, Neighbor_distances& distances);
+                           unsigned number_of_threads, Neighbor_distances& distances);
 
 // Returns the scaled radius of each vertex.  If `radii` (#surfels) is not empty, it is the given
 // radius, but at most 8: this is larger than the cloud, and its square cannot overflow.  Otherwise
@@ -195,7 +196,8 @@ Ragged_rows find_neighbors(const Sorted_surfels& surfels,
 // divided by sqrt(2).  Throws Invalid_argument_error if a given radius is negative or not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> surfel_radii(const Sorted_surfels& surfels, const std::vector<double>& radii,
-                                 const Ragged_rows& neighbors, std::size_t rank, unsigned threads);
+                                 const Ragged_rows& neighbors, std::size_t rank,
+                                 unsigned number_of_threads);
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -30,7 +30,7 @@ public:
 
   // Returns the distances from a column to all vertices. A vertex of another component or without a
   // triangle has infinite distance. The first call solves one system per vertex, later calls two.
-  Vector one_to_all(const Masses& source, unsigned threads) const;
+  Vector one_to_all(const Masses& source, unsigned number_of_threads) const;
 
 private:
   Operators m_operators;

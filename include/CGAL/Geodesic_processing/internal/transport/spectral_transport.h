@@ -21,7 +21,7 @@ struct Spectral_transport_options
 {
   double tolerance = 1e-3;            // of the gap between the bounds, relative to the upper bound
   unsigned maximum_iterations = 5000; // for each distance
-  unsigned threads = 1;
+  unsigned number_of_threads = 1;
   // Called with the fraction done, by one thread at a time. If it returns false, the computation is
   // cancelled.
   std::function<bool(double)> callback;
@@ -32,7 +32,7 @@ struct Transport_bounds
 {
   double lower = 0.;
   double upper = 0.; // infinite if masses differ on a component
-  unsigned iterations = 0;
+  unsigned number_of_iterations = 0;
 
   double value() const { return 0.5 * (lower + upper); }
   bool are_within(double tolerance) const // relative to the upper bound

@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing::internal {
 struct Volumetric_options
 {
   double tolerance = 0.02; // of the gap between the bounds, relative to the upper bound
-  unsigned threads = 1;
+  unsigned number_of_threads = 1;
   // Called with the fraction done. If it returns false, the computation is cancelled.
   std::function<bool(double)> callback;
 };
@@ -26,7 +26,7 @@ struct Volumetric_options
 struct Volumetric_bounds
 {
   double lower = 0., upper = 0.;
-  unsigned iterations = 0;
+  unsigned number_of_iterations = 0;
   bool is_solved = false; // true if solved by the interior point method, not by interpolation
 };
 
