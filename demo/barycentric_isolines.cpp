@@ -47,7 +47,7 @@ int main(int argc, char* argv[])
     corners.push_back(base.base_vertex(i));
   const auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   GP::geodesic_distances(mesh, corners, distance);
-  std::cout << base.number_of_base_faces() << " base faces, " << base.repaired_faces()
+  std::cout << base.number_of_base_faces() << " base faces, " << base.number_of_repaired_faces()
             << " of them repaired by mean value coordinates; " << base.number_of_flips()
             << " inverted triangles.\n";
   return CGAL::IO::write_polygon_mesh(argv[3], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -55,7 +55,7 @@ TEST(Base_parameterization, uses_requested_coordinates)
   { return GP::Base_parameterization<Mesh>(mesh, 20, GP::parameters::base_coordinates(kind)); };
   const auto heron = with(GP::Base_coordinates::heron),
              uniform = with(GP::Base_coordinates::uniform);
-  EXPECT_EQ(uniform.repaired_faces(), 0u);
+  EXPECT_EQ(uniform.number_of_repaired_faces(), 0u);
   bool is_different = false;
   for(const Vertex v : mesh.vertices())
     is_different = is_different || heron(v).barycentric != uniform(v).barycentric;

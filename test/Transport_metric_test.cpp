@@ -39,11 +39,12 @@ void expect_consistent_metric(const Domain& domain,
     const Metric metric(domain, k);
     EXPECT_GE(metric.basis_size(), k);
     const double tolerance = 1e-3;
-    const Eigen::MatrixXd d = metric.distance_matrix(locations, tolerance);
+    const Eigen::MatrixXd d =
+        metric.distance_matrix(locations, GP::parameters::tolerance(tolerance));
     ASSERT_EQ(d.rows(), Eigen::Index(locations.size()));
     EXPECT_EQ(d, Eigen::MatrixXd(d.transpose()));
     EXPECT_EQ(d, (metric.template distance_matrix<CGAL::Parallel_tag>(
-                     locations, tolerance, GP::parameters::number_of_threads(3))));
+                     locations, GP::parameters::tolerance(tolerance).number_of_threads(3))));
     for(Eigen::Index i = 0; i < d.rows(); ++i)
       for(Eigen::Index j = 0; j < d.cols(); ++j)
       {
@@ -52,8 +53,10 @@ void expect_consistent_metric(const Domain& domain,
         EXPECT_TRUE(cost.is_converged);
         EXPECT_LE(cost.upper - cost.lower, tolerance * cost.upper);
         EXPECT_LT(cost.residual, 1e-9); // round-off errors with some hundred unknowns
-        EXPECT_EQ(metric.distance(locations[i], locations[j], tolerance), cost.value);
-        EXPECT_EQ(metric.distance(locations[j], locations[i], tolerance), cost.value);
+        EXPECT_EQ(metric.distance(locations[i], locations[j], GP::parameters::tolerance(tolerance)),
+                  cost.value);
+        EXPECT_EQ(metric.distance(locations[j], locations[i], GP::parameters::tolerance(tolerance)),
+                  cost.value);
         EXPECT_EQ(i == j, cost.upper == 0.);
         // Without a basis, fields have single precision. With one, the order of summation differs.
         EXPECT_NEAR(d(i, j), cost.value, (k == 0 ? 1e-5 : tolerance) * cost.upper);
@@ -145,8 +148,10 @@ TEST(Transport_metric, is_unit_invariant)
       for(const std::size_t i : {7, 50, 111})
       {
         const Vertex to{Mesh::size_type(i)};
-        const double expected = scale * metric.distance(Vertex(0), to, 1e-5);
-        EXPECT_NEAR(other_metric.distance(Vertex(0), to, 1e-5), expected, 2e-5 * expected);
+        const double expected =
+            scale * metric.distance(Vertex(0), to, GP::parameters::tolerance(1e-5));
+        EXPECT_NEAR(other_metric.distance(Vertex(0), to, GP::parameters::tolerance(1e-5)), expected,
+                    2e-5 * expected);
       }
     }
 }
@@ -198,7 +203,7 @@ TEST(Transport_metric, decreases_towards_geodesic_distance)
     double previous_upper = infinity;
     for(const std::size_t k : {0, 5, 50, 200})
     {
-      const GP::Transport_metric<Mesh> metric(domain, k, flow);
+      const GP::Transport_metric<Mesh> metric(domain, k, GP::parameters::transport_flow(flow));
       EXPECT_EQ(metric.flow(), flow);
       const GP::Earth_movers_cost cost = metric.cost(p, q);
       EXPECT_LE(cost.lower, previous_upper);
@@ -246,8 +251,9 @@ TEST(Transport_metric, accepts_all_kinds_of_masses)
     const std::vector<Vertex> corners = {Vertex(0), Vertex(168)};
     const GP::Earth_movers_cost apart = metric.cost(corners, Vertex(84), measured);
     EXPECT_NEAR(apart.upper, cost_of_flow(), 1e-12);
-    EXPECT_LE(apart.lower, 0.5 * (metric.distance(corners[0], Vertex(84), 1e-6) +
-                                  metric.distance(corners[1], Vertex(84), 1e-6)));
+    EXPECT_LE(apart.lower,
+              0.5 * (metric.distance(corners[0], Vertex(84), GP::parameters::tolerance(1e-6)) +
+                     metric.distance(corners[1], Vertex(84), GP::parameters::tolerance(1e-6))));
     EXPECT_EQ(metric.distance(low, low), 0.);
     EXPECT_THROW(metric.cost(low, Vertex(0)), GP::Invalid_argument_error);
     const GP::Earth_movers_cost spread =
@@ -301,8 +307,7 @@ TEST(Transport_metric, can_be_cancelled)
   const auto cancel =
       GP::parameters::callback(std::function<bool(double)>([](double) { return false; }));
   EXPECT_THROW(metric.write_distances(Vertex(0), vertex_map(mesh), cancel), GP::Cancelled);
-  EXPECT_THROW(metric.distance_matrix(std::vector{Vertex(0), Vertex(1)}, 1e-3, cancel),
-               GP::Cancelled);
+  EXPECT_THROW(metric.distance_matrix(std::vector{Vertex(0), Vertex(1)}, cancel), GP::Cancelled);
 }
 
 TEST(Transport_metric, throws_on_invalid_location)
@@ -310,7 +315,8 @@ TEST(Transport_metric, throws_on_invalid_location)
   const Mesh mesh = mesh_of(icosphere(1));
   const GP::Transport_metric<Mesh> metric(mesh);
   EXPECT_THROW(metric.distance(Vertex(0), Vertex(1000)), GP::Invalid_argument_error);
-  EXPECT_THROW(metric.distance(Vertex(0), Vertex(1), 0.), GP::Invalid_argument_error);
+  EXPECT_THROW(metric.distance(Vertex(0), Vertex(1), GP::parameters::tolerance(0.)),
+               GP::Invalid_argument_error);
   EXPECT_THROW(metric.distance(Vertex(0), location_of(0, {2., 0., 0.})),
                GP::Invalid_argument_error);
   const Mesh nothing;

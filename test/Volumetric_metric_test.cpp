@@ -241,7 +241,8 @@ TEST(Volumetric_metric, throws_on_invalid_input)
   const Mesh mesh = mesh_of(icosphere(1));
   const Metric metric(mesh);
   const Point_3 inside(0., 0., 0.), outside(0., 0., 2.);
-  EXPECT_THROW(metric.distance(inside, outside, 0.), GP::Invalid_argument_error);
+  EXPECT_THROW(metric.distance(inside, outside, GP::parameters::tolerance(0.)),
+               GP::Invalid_argument_error);
   EXPECT_THROW(metric.distance(inside, Point_3(std::nan(""), 0., 0.)), GP::Invalid_argument_error);
   std::vector<Point_3> path;
   EXPECT_THROW(metric.write_path(inside, outside, std::back_inserter(path)),

@@ -33,7 +33,7 @@ struct Baked
   {
     atlas = GP::texture_atlas(mesh, 8, uv, GP::parameters::texture_size(size).gutter_width(gutter));
     texels = GP::bake_atlas(
-        mesh, uv, size, [&](const auto& location) { return color(mesh, location); },
+        mesh, uv, [&](const auto& location) { return color(mesh, location); }, size,
         GP::parameters::gutter_width(gutter).background(GP::Decal_color{0., 0., 1., 1.}));
   }
 
@@ -124,8 +124,8 @@ TEST(bake_atlas, throws_on_invalid_size)
   Mesh mesh = mesh_of(one_triangle());
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, UV>("h:uv").first;
   const auto white = [](const auto&) { return GP::Decal_color{1., 1., 1., 1.}; };
-  EXPECT_THROW(GP::bake_atlas(mesh, uv, 0, white), GP::Invalid_argument_error);
-  EXPECT_THROW(GP::bake_atlas(mesh, uv, 20000, white), GP::Invalid_argument_error);
+  EXPECT_THROW(GP::bake_atlas(mesh, uv, white, 0), GP::Invalid_argument_error);
+  EXPECT_THROW(GP::bake_atlas(mesh, uv, white, 20000), GP::Invalid_argument_error);
 }
 
 TEST(bake_atlas, throws_on_non_triangular_faces)
@@ -134,7 +134,8 @@ TEST(bake_atlas, throws_on_non_triangular_faces)
   CGAL::make_quad(Kernel::Point_3(0., 0., 0.), Kernel::Point_3(1., 0., 0.),
                   Kernel::Point_3(1., 1., 0.), Kernel::Point_3(0., 1., 0.), mesh);
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, UV>("h:uv").first;
-  EXPECT_THROW(GP::bake_atlas(mesh, uv, 16, [](const auto&) { return GP::Decal_color(); }),
+  EXPECT_THROW(GP::bake_atlas(
+                   mesh, uv, [](const auto&) { return GP::Decal_color(); }, 16),
                GP::Unsupported_surface_error);
 }
 

@@ -149,7 +149,7 @@ TEST(Callback, cancels_matrices)
   expect_cancellation("transport metric", [&](const auto& np)
                       { metric.cost(Vertex(0), Vertex(70), np.tolerance(1e-6)); });
   expect_cancellation("transport matrix",
-                      [&](const auto& np) { metric.distance_matrix(mesh.vertices(), 1e-2, np); });
+                      [&](const auto& np) { metric.distance_matrix(mesh.vertices(), np); });
   expect_cancellation_of_map("transport map", mesh,
                              [&](auto map, const auto& np)
                              { metric.write_distances(Vertex(0), map, np); });

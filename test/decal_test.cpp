@@ -301,7 +301,8 @@ TEST(decal, baked_texture_matches_images)
   const auto glass = [](const Decal_coordinates&) { return Decal_color{0., 0., 1., 0.25}; };
   const std::vector<GP::Decal_layer<Mesh>> layers = {{placer.place(Vertex(0), 0.8, 0.8), ramp},
                                                      {placer.place(Vertex(20), 0.7, 0.5), glass}};
-  const auto texture = GP::bake_decals(layers, 6, {0.5, 0.5, 0.5, 1.});
+  const auto texture =
+      GP::bake_decals(layers, 6, GP::parameters::background(GP::Decal_color{0.5, 0.5, 0.5, 1.}));
   ASSERT_EQ(texture.texels.size(), texture.width * texture.height);
   const auto at = [&](const Decal_coordinates& uv)
   {

@@ -26,7 +26,7 @@ TEST(geodesic_base_mesh, regions_are_disks)
     Mesh base, divided;
     const auto base_face = divided.add_property_map<Face, Face>("f:base").first;
     const auto result = GP::geodesic_base_mesh(mesh, 30, base, divided, base_face);
-    EXPECT_EQ(num_vertices(base), 30 + result.added);
+    EXPECT_EQ(num_vertices(base), 30 + result.number_of_added_vertices);
     EXPECT_TRUE(base.is_valid());
     EXPECT_TRUE(divided.is_valid());
     const auto characteristic = [](const Mesh& m)

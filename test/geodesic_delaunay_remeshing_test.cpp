@@ -48,7 +48,7 @@ void expect_remeshes_sphere()
 {
   const Mesh sphere = mesh_of(icosphere(3));
   Output output;
-  EXPECT_EQ(GP::geodesic_delaunay_remeshing(sphere, 100, output).added, 0u);
+  EXPECT_EQ(GP::geodesic_delaunay_remeshing(sphere, 100, output).number_of_added_vertices, 0u);
   EXPECT_EQ(num_vertices(output), 100u);
   EXPECT_EQ(num_faces(output), 196u);
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(output));
@@ -96,8 +96,8 @@ TEST(Geodesic_delaunay_remeshing, adds_samples_or_throws)
   Mesh output;
   const auto result = GP::geodesic_delaunay_remeshing(torus_mesh, 5, output);
   // A torus has at least seven vertices.
-  EXPECT_GE(result.added, 2u);
-  EXPECT_EQ(num_vertices(output), 5 + result.added);
+  EXPECT_GE(result.number_of_added_vertices, 2u);
+  EXPECT_EQ(num_vertices(output), 5 + result.number_of_added_vertices);
   EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{0, 0}}}));
 
   Mesh none;
@@ -105,9 +105,12 @@ TEST(Geodesic_delaunay_remeshing, adds_samples_or_throws)
   EXPECT_THROW(GP::geodesic_delaunay_remeshing(torus_mesh, 5, none, throwing),
                GP::Invalid_argument_error);
   EXPECT_TRUE(is_empty(none));
-  EXPECT_EQ(GP::geodesic_delaunay_remeshing(torus_mesh, 200, none, throwing).added, 0u);
+  EXPECT_EQ(
+      GP::geodesic_delaunay_remeshing(torus_mesh, 200, none, throwing).number_of_added_vertices,
+      0u);
   // The smallest number of vertices is not reported as too few.
-  EXPECT_GE(GP::geodesic_delaunay_remeshing(torus_mesh, 0, none, throwing).added, 7u);
+  EXPECT_GE(GP::geodesic_delaunay_remeshing(torus_mesh, 0, none, throwing).number_of_added_vertices,
+            7u);
 }
 
 TEST(Geodesic_delaunay_remeshing, error_reports_required_number_of_samples)
@@ -116,7 +119,7 @@ TEST(Geodesic_delaunay_remeshing, error_reports_required_number_of_samples)
   const auto near = GP::parameters::maximum_deviation(0.05);
   Mesh output;
   const std::size_t number =
-      50 + GP::geodesic_delaunay_remeshing(torus_mesh, 50, output, near).added;
+      50 + GP::geodesic_delaunay_remeshing(torus_mesh, 50, output, near).number_of_added_vertices;
   EXPECT_GT(number, 50u);
   try
   {
@@ -276,7 +279,7 @@ void expect_reconstructs_sphere(const Cloud& cloud, const Normals& np)
   EXPECT_EQ(
       GP::geodesic_delaunay_remeshing(
           cloud, 80, output, np.location_map(location).edge_path_output(std::back_inserter(paths)))
-          .added,
+          .number_of_added_vertices,
       0u);
   EXPECT_EQ(num_vertices(output), 80u);
   EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{2, 0}}}));
@@ -490,13 +493,13 @@ TEST(Geodesic_delaunay_remeshing, avoids_self_intersections)
     Exact_mesh left, output;
     const auto plain = GP::geodesic_delaunay_remeshing(
         mesh, 80, left, GP::parameters::do_avoid_self_intersections(false));
-    EXPECT_EQ(plain.added, 0u);
-    EXPECT_EQ(plain.self_intersections, 0u); // removal was not requested
+    EXPECT_EQ(plain.number_of_added_vertices, 0u);
+    EXPECT_EQ(plain.number_of_self_intersections, 0u); // removal was not requested
     EXPECT_GT(number_of_self_intersections(left), 0u);
     const auto found = GP::geodesic_delaunay_remeshing(mesh, 80, output);
-    EXPECT_GT(found.added, 0u);
-    EXPECT_LT(found.added, 300u); // the input has 5,124 vertices
-    EXPECT_EQ(found.self_intersections, 0u);
+    EXPECT_GT(found.number_of_added_vertices, 0u);
+    EXPECT_LT(found.number_of_added_vertices, 300u); // the input has 5,124 vertices
+    EXPECT_EQ(found.number_of_self_intersections, 0u);
     EXPECT_EQ(number_of_self_intersections(output), 0u);
     EXPECT_EQ(topology(corners_of(output)), topology(sheets.corners));
   }
@@ -510,9 +513,9 @@ TEST(Geodesic_delaunay_remeshing, keeps_self_intersections_of_input)
   const Mesh mesh = mesh_of(disjoint_union(icosphere(4), moved));
   Exact_mesh output;
   const auto found = GP::geodesic_delaunay_remeshing(mesh, 300, output);
-  EXPECT_GT(found.self_intersections, 0u);
-  EXPECT_EQ(found.self_intersections, number_of_self_intersections(output));
-  EXPECT_LT(found.added,
+  EXPECT_GT(found.number_of_self_intersections, 0u);
+  EXPECT_EQ(found.number_of_self_intersections, number_of_self_intersections(output));
+  EXPECT_LT(found.number_of_added_vertices,
             30u); // near the intersection curves, faces that need no refinement may be refined
 }
 
@@ -522,8 +525,8 @@ TEST(Geodesic_delaunay_remeshing, discards_unsuccessful_samples)
   const Mesh mesh = mesh_of(disjoint_union(icosphere(4), scaled(icosphere(4), 1. - 1e-7)));
   Exact_mesh output;
   const auto found = GP::geodesic_delaunay_remeshing(mesh, 80, output);
-  EXPECT_EQ(found.added, 0u);
-  EXPECT_GT(found.self_intersections, 0u);
+  EXPECT_EQ(found.number_of_added_vertices, 0u);
+  EXPECT_GT(found.number_of_self_intersections, 0u);
 }
 
 TEST(Geodesic_delaunay_remeshing, appends_to_output)

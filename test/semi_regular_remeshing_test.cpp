@@ -26,9 +26,9 @@ TEST(semi_regular_remeshing, has_subdivision_connectivity)
   const auto level = output.add_property_map<Vertex, std::size_t>("v:level").first;
   const auto result =
       GP::semi_regular_remeshing(mesh, 30, 3, output, GP::parameters::level_map(level));
-  EXPECT_EQ(result.levels, 3u);
+  EXPECT_EQ(result.number_of_levels, 3u);
   EXPECT_EQ(result.number_of_flips, 0u);
-  EXPECT_EQ(num_faces(output), 64 * result.base_faces);
+  EXPECT_EQ(num_faces(output), 64 * result.number_of_base_faces);
   EXPECT_TRUE(output.is_valid());
   std::size_t last = 0;
   for(const Vertex v : output.vertices())
@@ -46,7 +46,7 @@ TEST(semi_regular_remeshing, writes_quads_on_request)
   const Mesh mesh = mesh_of(torus(24, 16));
   const auto quads = GP::parameters::subdivision_scheme(GP::Subdivision_scheme::quads);
   const auto result = GP::semi_regular_remeshing(mesh, 40, 1, output, quads);
-  EXPECT_EQ(output.size_of_facets(), 12 * result.base_faces);
+  EXPECT_EQ(output.size_of_facets(), 12 * result.number_of_base_faces);
   EXPECT_TRUE(output.is_pure_quad());
   EXPECT_TRUE(output.is_closed());
   EXPECT_THROW(GP::semi_regular_remeshing(mesh, 40, 1, output, quads.maximum_deviation(1.)),
@@ -61,8 +61,8 @@ TEST(semi_regular_remeshing, stops_at_maximum_deviation)
       GP::semi_regular_remeshing(mesh, 30, 5, coarse, GP::parameters::maximum_deviation(0.3));
   const auto more =
       GP::semi_regular_remeshing(mesh, 30, 5, fine, GP::parameters::maximum_deviation(0.03));
-  EXPECT_LT(few.levels, more.levels);
-  EXPECT_LT(more.levels, 5u);
+  EXPECT_LT(few.number_of_levels, more.number_of_levels);
+  EXPECT_LT(more.number_of_levels, 5u);
   EXPECT_LE(few.deviation, 0.3);
   EXPECT_LE(more.deviation, 0.03);
   EXPECT_GT(more.deviation, 0.);

@@ -18,7 +18,7 @@ TEST(volumetric_distance, agrees_with_metric)
   const GP::Volumetric_metric<Mesh> metric(mesh, GP::parameters::number_of_refinements(0u));
   const GP::Earth_movers_cost cost = GP::volumetric_distance(
       mesh, from, to, GP::parameters::number_of_refinements(0u).tolerance(1e-4));
-  EXPECT_EQ(cost.value, metric.distance(from, to, 1e-4));
+  EXPECT_EQ(cost.value, metric.distance(from, to, GP::parameters::tolerance(1e-4)));
   EXPECT_EQ(GP::volumetric_distance(GP::make_domain(mesh), from, to).value,
             GP::volumetric_distance(mesh, from, to).value);
 }

@@ -38,12 +38,13 @@ int main()
         GP::parameters::number_of_relaxation_steps(3).location_map(locations));
     const Mesh::Vertex_index last(Mesh::size_type(output.number_of_vertices() - 1));
     std::cout << output.number_of_vertices() << " vertices, " << output.number_of_faces()
-              << " faces, " << result.added << " more than asked for; the last one lies in face "
-              << locations[last].first << '\n';
+              << " faces, " << result.number_of_added_vertices
+              << " more than asked for; the last one lies in face " << locations[last].first
+              << '\n';
 
     // The area is preserved, because corners and boundary edges are kept.
     is_correct = is_correct && std::abs(PMP::area(output) - 1200.) < 1e-9 &&
-                 output.number_of_vertices() == number + result.added;
+                 output.number_of_vertices() == number + result.number_of_added_vertices;
   }
   return is_correct ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -36,7 +36,7 @@ int main()
   const GP::Flattening_distortion minimized = GP::flattening_distortion(mesh, uv);
 
   std::cout << "Angles and areas: " << initial.conformal << " and " << initial.authalic << ", with "
-            << initial.number_of_flips << " flips; after " << minimization.number_of_steps
+            << initial.number_of_flips << " flips; after " << minimization.number_of_iterations
             << " steps " << minimized.conformal << " and " << minimized.authalic << ", with "
             << minimized.number_of_flips << ".\n";
   return minimized.number_of_flips == 0 &&

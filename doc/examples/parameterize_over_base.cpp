@@ -38,12 +38,12 @@ int main()
 
   Mesh semi_regular;
   const auto result = GP::semi_regular_remeshing(mesh, 20, 3, semi_regular);
-  std::cout << "each of " << result.base_faces
+  std::cout << "each of " << result.number_of_base_faces
             << " faces is cut into 64: " << semi_regular.number_of_faces() << '\n';
 
   // The base location of a vertex maps back to the vertex.
   const bool is_correct = base.number_of_flips() == 0 &&
                           CGAL::squared_distance(base.point(locations[v]), mesh.point(v)) < 1e-12 &&
-                          semi_regular.number_of_faces() == 64 * result.base_faces;
+                          semi_regular.number_of_faces() == 64 * result.number_of_base_faces;
   return is_correct ? EXIT_SUCCESS : EXIT_FAILURE;
 }

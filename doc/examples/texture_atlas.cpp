@@ -44,7 +44,7 @@ int main()
     const bool is_dark = int(std::floor(20. * std::asin(z))) % 2 == 0;
     return is_dark ? GP::Decal_color{0.1, 0.3, 0.5, 1.} : GP::Decal_color{1., 1., 0.9, 1.};
   };
-  const auto texels = GP::bake_atlas(mesh, uv, 256, latitude);
+  const auto texels = GP::bake_atlas(mesh, uv, latitude, 256);
 
   std::cout << atlas.number_of_charts << " charts cover " << atlas.coverage
             << " of the texture, of " << texels.size() << " texels; "

@@ -58,8 +58,10 @@ int main()
   double previous_distance = 1e9;
   for(const std::size_t k : {0, 20, 100})
   {
-    const GP::Transport_metric<Mesh> metric(GP::make_domain(mesh), k, GP::Transport_flow::gradient);
-    const auto distance = [&](Vertex v) { return metric.distance(from, v, 1e-4); };
+    const GP::Transport_metric<Mesh> metric(
+        mesh, k, GP::parameters::transport_flow(GP::Transport_flow::gradient));
+    const auto distance = [&](Vertex v)
+    { return metric.distance(from, v, GP::parameters::tolerance(1e-4)); };
     std::cout << "k = " << metric.basis_size() << ": " << distance(opposite) << ", bends by "
               << slope_change(distance) << '\n';
     is_correct = is_correct && distance(opposite) < previous_distance &&

@@ -424,9 +424,9 @@ Minimization_result minimize_symmetric_dirichlet(const Surface_arrays& t, std::v
   Newton_descent descent(problem, image);
   Minimization_result result;
   result.energy = problem.energy(image);
-  for(; result.number_of_steps < max_steps; ++result.number_of_steps)
+  for(; result.number_of_iterations < max_steps; ++result.number_of_iterations)
   {
-    if(callback && !callback(double(result.number_of_steps) / double(max_steps)))
+    if(callback && !callback(double(result.number_of_iterations) / double(max_steps)))
     {
       result.is_complete = false;
       break;
@@ -437,7 +437,7 @@ Minimization_result minimize_symmetric_dirichlet(const Surface_arrays& t, std::v
     result.energy -= decrease;
     if(decrease < energy_tolerance * result.energy)
     {
-      ++result.number_of_steps;
+      ++result.number_of_iterations;
       break;
     }
   }

@@ -387,7 +387,7 @@ void transport_metric(Mesh& mesh)
     const std::string name = "k " + std::to_string(k);
     print(name + " basis", metric.basis_size());
     print_cost(name, metric.cost(places[0], places[2]));
-    const auto matrix = metric.distance_matrix<CGAL::Parallel_tag>(places, 1e-3);
+    const auto matrix = metric.distance_matrix<CGAL::Parallel_tag>(places);
     for(int i = 0; i < matrix.rows(); ++i)
       for(int j = 0; j < matrix.cols(); ++j)
         print(name + " matrix", matrix(i, j));

@@ -249,7 +249,7 @@ void print_topology(bool quick)
       PMP::degenerate_faces(output, std::back_inserter(degenerate));
       is_kept = is_kept && CGAL::is_valid_polygon_mesh(output) && topology_of(output) == topology &&
                 !has_repeated_faces(output) && degenerate.empty();
-      found.push_back(std::to_string(result.added));
+      found.push_back(std::to_string(result.number_of_added_vertices));
       found.push_back(std::to_string(self_intersections(output)));
     }
     std::vector<std::string> row = {file.stem().string(),

@@ -140,7 +140,7 @@ public:
   /// with uniform coordinates.
   std::size_t number_of_flips() const { return m_map->number_of_flips(); }
   /// Returns the number of base faces whose coordinates were replaced by another kind.
-  std::size_t repaired_faces() const { return m_map->number_of_repaired_regions(); }
+  std::size_t number_of_repaired_faces() const { return m_map->number_of_repaired_regions(); }
 
   /// Maps a location of the mesh to the base mesh. Takes time proportional to the number of parts
   /// into which base edges divide its face.

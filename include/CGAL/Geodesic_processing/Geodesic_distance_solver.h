@@ -224,15 +224,20 @@ public:
   /// On the cut locus, there are two or more.
   ///
   /// \param from a vertex or a location
-  /// \param tolerance paths that are longer by at most this fraction of the distance count as
-  ///        shortest, which compensates for round-off errors.  The excess length must be far
-  ///        smaller than an edge.
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{tolerance}
+  ///     \cgalParamDescription{paths that are longer by at most this fraction of the distance count
+  ///       as shortest, which compensates for round-off errors.  The excess length must be far
+  ///       smaller than an edge.} \cgalParamType{`double`} \cgalParamDefault{1e-9} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if the last computation did not use `Exact` without a
   ///         relative tolerance
-  template <typename QueryLocation>
-  std::vector<Surface_path<Surface>> shortest_paths(const QueryLocation& from,
-                                                    double tolerance = 1e-9) const
+  template <typename QueryLocation, typename NamedParameters = internal::Default_parameters>
+  std::vector<Surface_path<Surface>>
+  shortest_paths(const QueryLocation& from, const NamedParameters& np = NamedParameters()) const
   {
+    const double tolerance = internal::parameter(np, internal_np::tolerance, 1e-9);
     const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
     std::vector<Surface_path<Surface>> result;

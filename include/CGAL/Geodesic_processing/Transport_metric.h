@@ -70,27 +70,35 @@ public:
   using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
-  /// precomputes the particular flow and the basis. The particular flow is the one with the
-  /// smaller distances: `gradient` if `k` is 0, otherwise `balanced`.
+  /// precomputes the particular flow and the basis.
   ///
   /// \param surface the surface
   /// \param k the number of eigenfunctions, which is rounded up
-  /// \param np named parameters of `make_domain()`
+  /// \param np the named parameters of `make_domain()`, and
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{transport_flow} \cgalParamDescription{the particular flow}
+  ///     \cgalParamType{`Transport_flow`}
+  ///     \cgalParamDefault{the one with the smaller distances: `gradient` if `k` is 0, otherwise
+  ///       `balanced`} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if no triangle has positive area
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_metric(const Surface& surface, std::size_t k = 0,
                             const NamedParameters& np = NamedParameters())
-      : Transport_metric(Domain(surface, np), k)
+      : Transport_metric(Domain(surface, np), k, np)
   {}
-  explicit Transport_metric(const Domain& domain, std::size_t k = 0)
-      : Transport_metric(domain, k, k == 0 ? Transport_flow::gradient : Transport_flow::balanced)
-  {}
-  Transport_metric(const Domain& domain, std::size_t k, Transport_flow flow)
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Transport_metric(const Domain& domain, std::size_t k = 0,
+                            const NamedParameters& np = NamedParameters())
       : m_domain(domain),
         m_transport(std::make_shared<const internal::Spectral_transport>(
             domain.triangles(), k,
-            flow == Transport_flow::gradient ? internal::Particular_field::gradient
-                                             : internal::Particular_field::raviart_thomas))
+            internal::parameter(np, internal_np::transport_flow,
+                                k == 0 ? Transport_flow::gradient : Transport_flow::balanced) ==
+                    Transport_flow::gradient
+                ? internal::Particular_field::gradient
+                : internal::Particular_field::raviart_thomas))
   {}
 
   const Domain& domain() const { return m_domain; }
@@ -153,10 +161,11 @@ public:
     return Earth_movers_cost(found);
   }
   /// returns the value of `cost()` between two locations or general mass distributions.
-  template <typename From, typename To>
-  double distance(const From& from, const To& to, double tolerance = 1e-3) const
+  template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
+  double distance(const From& from, const To& to,
+                  const NamedParameters& np = NamedParameters()) const
   {
-    return cost(from, to, parameters::tolerance(tolerance)).value;
+    return cost(from, to, np).value;
   }
 
   /// writes the distance from one location to every vertex or surfel.
@@ -190,19 +199,18 @@ public:
   ///
   /// \tparam Concurrency_tag as for `write_distances()`
   /// \param locations a range of vertices, surfels or locations
-  /// \param tolerance as for `cost()`
-  /// \param np as for `write_distances()`
+  /// \param np `tolerance` as for `cost()`, and the named parameters of `write_distances()`
   /// \returns a symmetric matrix
   /// \throws Invalid_argument_error as `cost()`
   /// \throws Cancelled if the callback returns false
   template <typename Concurrency_tag = Sequential_tag, typename Locations,
             typename NamedParameters = internal::Default_parameters>
-  Eigen::MatrixXd distance_matrix(const Locations& locations, double tolerance = 1e-3,
+  Eigen::MatrixXd distance_matrix(const Locations& locations,
                                   const NamedParameters& np = NamedParameters()) const
   {
     const internal::Surface_arrays& t = *m_domain.triangles();
     internal::Spectral_transport_options chosen_options = options<Concurrency_tag>(np);
-    chosen_options.tolerance = tolerance;
+    chosen_options.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
     return t.scale *
            m_transport->all_pairs(internal::masses_at(t, internal::locations(m_domain, locations)),
                                   chosen_options);

@@ -104,10 +104,11 @@ public:
     return found;
   }
   /// returns the value of `cost()`.
-  template <typename From, typename To>
-  double distance(const From& from, const To& to, double tolerance = 1e-3) const
+  template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
+  double distance(const From& from, const To& to,
+                  const NamedParameters& np = NamedParameters()) const
   {
-    return cost(from, to, parameters::tolerance(tolerance)).value;
+    return cost(from, to, np).value;
   }
 
   /// returns the distances from one point to many, for example for a slice through space. By

@@ -29,9 +29,9 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \param mesh a triangle mesh
 /// \param corner_uv_map texture coordinates of halfedges, as `texture_atlas()` writes them
-/// \param size the number of texels along each edge of the texture, at most 2<SUP>14</SUP>
 /// \param color a function that is called with a `Polygon_mesh_processing::Face_location` and
 ///        returns a `Decal_color`
+/// \param size the number of texels along each edge of the texture, at most 2<SUP>14</SUP>
 /// \param np optional named parameters:
 ///
 /// \cgalNamedParamsBegin
@@ -47,8 +47,8 @@ namespace CGAL::Geodesic_processing {
 /// Takes linear time in the number of texels and of faces.
 template <typename TriangleMesh, typename UVMap, typename Color,
           typename NamedParameters = internal::Default_parameters>
-std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_map, std::size_t size,
-                                    const Color& color,
+std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_map,
+                                    const Color& color, std::size_t size,
                                     const NamedParameters& np = NamedParameters())
 {
   if(!is_triangle_mesh(mesh))

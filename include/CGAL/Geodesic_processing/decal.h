@@ -244,13 +244,17 @@ struct Decal_texture
 /// \param layers images placed on the same mesh, from the lowest layer to the highest
 /// \param segments the length, in texels, of the two legs of each covered face's right triangle in
 ///        the texture.  The hypotenuse has equally many segments, which are longer
-/// \param background the color of texels that no image covers
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{background} \cgalParamDescription{the color of texels that no image covers}
+///     \cgalParamType{`Decal_color`} \cgalParamDefault{white and opaque} \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error if `segments` is zero, or if the texture has more than
 ///         2<SUP>28</SUP> texels
-template <typename TriangleMesh>
+template <typename TriangleMesh, typename NamedParameters = internal::Default_parameters>
 Decal_texture<TriangleMesh> bake_decals(const std::vector<Decal_layer<TriangleMesh>>& layers,
                                         std::size_t segments,
-                                        const Decal_color& background = {1., 1., 1., 1.})
+                                        const NamedParameters& np = NamedParameters())
 {
   static_assert(!internal::Is_cloud<TriangleMesh>::value,
                 "A texture requires a mesh, because a cloud has no faces; use composite_decal().");
@@ -265,7 +269,9 @@ Decal_texture<TriangleMesh> bake_decals(const std::vector<Decal_layer<TriangleMe
   const internal::Texture_cells cells(texture.faces.size() + 1, segments);
   texture.width = cells.width();
   texture.height = cells.height();
-  texture.texels.assign(texture.width * texture.height, background);
+  texture.texels.assign(
+      texture.width * texture.height,
+      internal::parameter(np, internal_np::background, Decal_color{1., 1., 1., 1.}));
   texture.background = cells.corners(0)[0];
   for(std::size_t i = 0; i < texture.faces.size(); ++i)
     texture.faces[i].coordinates = cells.corners(i + 1);

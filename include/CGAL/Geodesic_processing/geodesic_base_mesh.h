@@ -46,7 +46,7 @@ Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number
   if(found.triangles.empty())
     throw Invalid_argument_error("The mesh has no triangles.");
   Remeshing_result result;
-  result.added = found.samples.size() - (std::min)(number, found.samples.size());
+  result.number_of_added_vertices = found.samples.size() - (std::min)(number, found.samples.size());
 
   const internal::Surface_arrays& fine = found.fine;
   const auto position = [&](internal::Index vertex) {

@@ -34,10 +34,10 @@ enum class Too_few_samples
 /// The summary of a remeshing.
 struct Remeshing_result
 {
-  std::size_t added = 0; ///< number of vertices beyond the requested number
+  std::size_t number_of_added_vertices = 0; ///< number of vertices beyond the requested number
   /// Number of pairs of intersecting faces, as CGAL's `self_intersections()` counts them, but at
   /// most the number of faces. Computed only if self-intersections were to be avoided.
-  std::size_t self_intersections = 0;
+  std::size_t number_of_self_intersections = 0;
 };
 
 /// \ingroup PkgGeodesicProcessingRemeshing
@@ -168,9 +168,9 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   if(!found.is_finished)
     throw Cancelled();
   Remeshing_result result;
-  result.self_intersections = found.number_of_self_intersections;
-  result.added = found.samples.size() - (std::min)(number, found.samples.size());
-  if(number > 0 && result.added > 0 &&
+  result.number_of_self_intersections = found.number_of_self_intersections;
+  result.number_of_added_vertices = found.samples.size() - (std::min)(number, found.samples.size());
+  if(number > 0 && result.number_of_added_vertices > 0 &&
      internal::parameter(np, internal_np::too_few_samples, Too_few_samples::refine) !=
          Too_few_samples::refine)
     throw Invalid_argument_error(std::to_string(number) +

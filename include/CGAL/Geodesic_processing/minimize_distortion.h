@@ -28,7 +28,7 @@ struct Distortion_minimum
 {
   std::size_t number_of_flips_before = 0; ///< inverted or degenerate faces of the given map
   std::size_t number_of_flips = 0;        ///< inverted or degenerate faces of the resulting map
-  std::size_t number_of_steps = 0;        ///< steps of Newton's method
+  std::size_t number_of_iterations = 0;   ///< steps of Newton's method
   double symmetric_dirichlet = 0.;        ///< the final mean energy per area, at least 4
 };
 
@@ -103,7 +103,7 @@ Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
   if(!found.is_complete)
     throw Cancelled();
   result.number_of_flips = number_of_flips(triangles, image);
-  result.number_of_steps = found.number_of_steps;
+  result.number_of_iterations = found.number_of_iterations;
   result.symmetric_dirichlet = found.energy;
   domain.write(
       [&](internal::Index i)

@@ -56,6 +56,7 @@ namespace CGAL::Geodesic_processing {
   NAME(number_of_refinements)                                                                      \
   NAME(metric_map)                                                                                 \
   NAME(face_metric_map)                                                                            \
+  NAME(transport_flow)                                                                             \
   NAME(potential_map)                                                                              \
   NAME(flow_map)                                                                                   \
   NAME(arrival_map)                                                                                \

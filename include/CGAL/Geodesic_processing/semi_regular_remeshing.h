@@ -24,9 +24,9 @@ enum class Subdivision_scheme
 struct Semi_regular_result
 {
   /// Number of 1-to-4 refinements; for quads, the first split into three is not counted.
-  unsigned levels = 0;
-  std::size_t base_faces = 0;      ///< number of faces of the base mesh
-  std::size_t number_of_flips = 0; ///< number of inverted triangles of the parameterization
+  unsigned number_of_levels = 0;
+  std::size_t number_of_base_faces = 0; ///< number of faces of the base mesh
+  std::size_t number_of_flips = 0;      ///< number of inverted triangles of the parameterization
   /// Maximum distance of a vertex of the mesh from the point of the result with the same base
   /// coordinates; 0 if `maximum_deviation` is not given.
   double deviation = 0.;

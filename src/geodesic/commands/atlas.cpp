@@ -156,7 +156,7 @@ Atlas_result make_atlas(const Mesh& mesh, const Atlas_options& options, const Im
 
   const Surface_painter paint(file, result, image);
   const auto texels = GP::bake_atlas(
-      mesh, corner_uv, options.texels,
+      mesh, corner_uv,
       [&](const auto& location)
       {
         // The location's barycentric coordinates begin at the source of the face's halfedge.
@@ -173,6 +173,7 @@ Atlas_result make_atlas(const Mesh& mesh, const Atlas_options& options, const Im
         }
         return paint(face, barycentric);
       },
+      options.texels,
       GP::parameters::gutter_width(options.gutter)
           .background(GP::Decal_color{default_color[0], default_color[1], default_color[2], 1.}));
   result.texture.width = result.texture.height = options.texels;

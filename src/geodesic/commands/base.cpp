@@ -144,8 +144,8 @@ void run_base(Job& job, const Base_options& options)
   job.begin_stage("query");
   const GP::Base_parameterization<Mesh> base(mesh, options.number, base_parameters(options, job));
   report(job, base.number_of_base_vertices(), base.number_of_base_faces(), base.number_of_flips());
-  job.result()["repaired_faces"] = base.repaired_faces();
-  job.print_line("repaired        " + std::to_string(base.repaired_faces()));
+  job.result()["repaired_faces"] = base.number_of_repaired_faces();
+  job.print_line("repaired        " + std::to_string(base.number_of_repaired_faces()));
 
   std::string text;
   for(const auto v : mesh.vertices())
@@ -207,9 +207,9 @@ void run_semiregular(Job& job, const Base_options& options)
     file.polygon_begin.push_back(file.corners.size());
   }
   report(job, file.points.size(), file.number_of_polygons(), result.number_of_flips);
-  job.result()["levels"] = result.levels;
-  job.result()["base_faces"] = result.base_faces;
-  job.print_line("levels          " + std::to_string(result.levels));
+  job.result()["levels"] = result.number_of_levels;
+  job.result()["base_faces"] = result.number_of_base_faces;
+  job.print_line("levels          " + std::to_string(result.number_of_levels));
   if(options.max_deviation > 0.)
     job.report("deviation", result.deviation);
 

@@ -68,8 +68,10 @@ std::size_t choose_number_of_segments(const std::vector<GP::Decal_layer<Mesh>>& 
 void bake(const std::vector<GP::Decal_layer<Mesh>>& layers, std::size_t number_of_segments,
           std::size_t number_of_corners, Decal_result& result)
 {
-  const auto texture = GP::bake_decals(layers, number_of_segments,
-                                       {default_color[0], default_color[1], default_color[2], 1.});
+  const auto texture =
+      GP::bake_decals(layers, number_of_segments,
+                      GP::parameters::background(GP::Decal_color{default_color[0], default_color[1],
+                                                                 default_color[2], 1.}));
   result.texture.width = texture.width;
   result.texture.height = texture.height;
   for(const GP::Decal_color& texel : texture.texels)

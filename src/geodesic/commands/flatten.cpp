@@ -61,7 +61,7 @@ void flatten_surface(const Surface_type& surface, const Flatten_options& options
       const GP::Distortion_minimum found = GP::minimize_distortion(
           domain, map, GP::parameters::callback(job.progress_callback("distortion")));
       job.result()["flips_before"] = found.number_of_flips_before;
-      job.result()["steps"] = found.number_of_steps;
+      job.result()["steps"] = found.number_of_iterations;
       job.print_line("flips before    " + std::to_string(found.number_of_flips_before));
     }
     const GP::Flattening_distortion found = GP::flattening_distortion(surface, map);

@@ -121,14 +121,14 @@ void run_remesh(Job& job, const Remesh_options& options)
     result = find_mesh(make_cloud(surface), options, job);
   job.result()["vertices_out"] = result.file.points.size();
   job.result()["faces_out"] = result.file.number_of_polygons();
-  job.result()["added"] = result.found.added;
+  job.result()["added"] = result.found.number_of_added_vertices;
   if(!options.allow_self_intersections)
-    job.result()["self_intersections"] = result.found.self_intersections;
+    job.result()["self_intersections"] = result.found.number_of_self_intersections;
   job.print_line("vertices        " + std::to_string(result.file.points.size()));
   job.print_line("faces           " + std::to_string(result.file.number_of_polygons()));
-  if(result.found.added > 0)
-    job.print_line("added           " + std::to_string(result.found.added));
-  if(const std::size_t pairs = result.found.self_intersections; pairs > 0)
+  if(result.found.number_of_added_vertices > 0)
+    job.print_line("added           " + std::to_string(result.found.number_of_added_vertices));
+  if(const std::size_t pairs = result.found.number_of_self_intersections; pairs > 0)
     job.print_warning(std::to_string(pairs) +
                       (pairs == 1 ? " pair of faces intersects" : " pairs of faces intersect") +
                       ", because the input intersects itself or nearly does so");

@@ -110,7 +110,7 @@ TEST(symmetric_dirichlet, cancelled_result_has_no_flips)
   const Minimization_result found = minimize_symmetric_dirichlet(
       surface.t(), image, 200, [](double done) { return done < 0.01; });
   EXPECT_FALSE(found.is_complete);
-  EXPECT_LT(found.number_of_steps, 4u);
+  EXPECT_LT(found.number_of_iterations, 4u);
   EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
 }
 

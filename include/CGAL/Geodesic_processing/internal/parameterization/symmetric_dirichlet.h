@@ -35,7 +35,7 @@ std::size_t number_of_flips(const Surface_arrays& triangles, const std::vector<V
 struct Minimization_result
 {
   double energy = 0.; // the final mean energy per area; 4 for an isometry
-  std::size_t number_of_steps = 0;
+  std::size_t number_of_iterations = 0;
   bool is_complete = true; // false if the callback cancelled
 };
 
