@@ -247,9 +247,9 @@ picture voronoi "Geodesic Voronoi cells of 60 seeds from farthest point sampling
 picture voronoi-part "Geodesic Voronoi cells of 40 seeds on a mechanical part" \
   voronoi "$part" --number 40
 picture segment "At least 40 charts of similar size with disk topology, and their centers" \
-  segment "$bear" --number 40 --discs
+  segment "$bear" --number 40 --disks
 picture segment-part "Charts with disk topology that are smaller at creases, because the fronts are slower there" \
-  segment "$part" --number 60 --discs --speed curvature-attractive
+  segment "$part" --number 60 --disks --speed curvature-attractive
 picture remesh "Remeshing with 1,000 vertices and 10 relaxation steps" \
   remesh "$animal" --number 1000 --lloyd 10
 picture part "Input mesh of a mechanical part, with its edges" info "$part" --sides

@@ -219,7 +219,7 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("distance square.ply --source 0 --relative-tolerance nan", 1, "negative");
   expect_failure("distance square.ply --source 0 --relative-tolerance 1 --method heat", 1,
                  "only the method exact");
-  expect_failure("distance square.ply --source 0 --speed colours --strength -1", 1, "--strength");
+  expect_failure("distance square.ply --source 0 --speed colors --strength -1", 1, "--strength");
   expect_failure("distance square.ply --source 0 --speed colours --strength nan", 1, "--strength");
   expect_failure("distance square.ply --source 0 --method heat --density-image a.png", 1, "speeds");
   expect_failure("distance square.ply --source 0 --speed s --method heat", 1, "--speed");
@@ -243,7 +243,7 @@ TEST_F(Program, exits_with_1_on_wrong_usage_of_sampling)
   expect_failure("voronoi square.ply", 1, "--number");
   expect_failure("voronoi square.ply --number 2 --seeds 1", 1, "--seeds");
   expect_failure("segment square.ply", 1, "--number");
-  expect_failure("segment cloud.xyz --number 3 --discs", 2, "cloud.xyz");
+  expect_failure("segment cloud.xyz --number 3 --disks", 2, "cloud.xyz");
   expect_failure("matrix square.ply", 1, "--limit");
   expect_failure("sample square.ply", 1, "--number");
   for(const char* const command : {"sample", "voronoi", "segment", "matrix"})
@@ -1343,9 +1343,9 @@ TEST_F(Program, speed_depends_on_colors_and_images)
   write("red.ply", square);
   json("distance square.ply --source 0 --values d.txt");
   const std::vector<double> plain = numbers("d.txt");
-  for(const auto& [strength, factor] : {std::pair(" --strength 1", 2.), std::pair("", 21.)})
+  for(const auto& [speed, factor] : {std::pair("colors --strength 1", 2.), std::pair("colours", 21.)})
   {
-    json(std::string("distance red.ply --source 0 --values s.txt --speed colours") + strength);
+    json(std::string("distance red.ply --source 0 --values s.txt --speed ") + speed);
     const std::vector<double> slow = numbers("s.txt");
     for(std::size_t i = 0; i < 81; ++i)
       EXPECT_NEAR(slow[i], factor * plain[i], 1e-11); // round-off errors

@@ -141,7 +141,7 @@ void add_segment(CLI::App& program)
   command.add("--number", options->number, "N", "number of charts");
   command.add("--iterations", options->iterations, "N",
               "maximum number of iterations that move the centers (default 20)");
-  command.add_flag("--discs", options->make_disks,
+  command.add_flag("--disks,--discs", options->make_disks,
                    "add charts until each chart is a topological disk");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_segment(*job, *options); });

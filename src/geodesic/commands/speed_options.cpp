@@ -15,10 +15,12 @@ namespace {
 
 const std::string similar_prefix = "curvature-like-";
 
+bool is_color_speed(const std::string& speed) { return speed == "colors" || speed == "colours"; }
+
 bool is_computed_speed(const std::string& speed)
 {
   return speed.rfind(similar_prefix, 0) == 0 || speed == "curvature-attractive" ||
-         speed == "curvature-repulsive" || speed == "colours";
+         speed == "curvature-repulsive" || is_color_speed(speed);
 }
 
 // Returns the properties with the given names, or an empty array if one is missing.
@@ -82,7 +84,7 @@ void add_speed_options(Command& command, Speed_options& options)
               "speed of the fronts; samples are denser in regions of low speed. NAME is a "
               "property of the vertices, curvature-attractive (low at creases), "
               "curvature-repulsive (high at creases), curvature-like-V (high if the curvature "
-              "is similar to the curvature at vertex V), or colours (low in regions of varying "
+              "is similar to the curvature at vertex V), or colors (low in regions of varying "
               "vertex colors)");
   command.add("--density-image", options.image, "FILE",
               "PNG image that defines a speed, which is low in regions of varying color. The "
@@ -104,7 +106,7 @@ void check(const Speed_options& options)
     throw Usage_error("--strength: the strength must be finite and not negative.");
   if(options.image.empty() && !is_computed_speed(options.speed))
     throw Usage_error(
-        "--strength: this option requires a speed from curvature, colours or an image.");
+        "--strength: this option requires a speed from curvature, colors or an image.");
 }
 
 std::optional<std::size_t> similar_vertex(const Speed_options& options)
@@ -163,7 +165,7 @@ std::vector<double> compute_speeds(const Domain& domain, const Speed_options& op
       check_vertex(job.surface(), *vertex);
       GP::similar_curvature_speeds<CGAL::Parallel_tag>(domain, Vertex(*vertex), map, np);
     }
-    else if(options.speed == "colours" || !options.image.empty())
+    else if(is_color_speed(options.speed) || !options.image.empty())
     {
       const std::vector<Color> colors = vertex_colors(job.surface(), options);
       GP::image_speeds(domain, Property_map<Vertex, Color>{&colors}, map, np);
