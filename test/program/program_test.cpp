@@ -1343,7 +1343,8 @@ TEST_F(Program, speed_depends_on_colors_and_images)
   write("red.ply", square);
   json("distance square.ply --source 0 --values d.txt");
   const std::vector<double> plain = numbers("d.txt");
-  for(const auto& [speed, factor] : {std::pair("colors --strength 1", 2.), std::pair("colours", 21.)})
+  for(const auto& [speed, factor] :
+      {std::pair("colors --strength 1", 2.), std::pair("colours", 21.)})
   {
     json(std::string("distance red.ply --source 0 --values s.txt --speed ") + speed);
     const std::vector<double> slow = numbers("s.txt");

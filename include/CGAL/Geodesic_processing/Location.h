@@ -21,6 +21,11 @@ class Point_set_3;
 
 namespace Geodesic_processing {
 
+template <typename TriangleMesh>
+class Mesh_domain;
+template <typename SurfelRange>
+class Surfel_domain;
+
 /// \ingroup PkgGeodesicProcessingDomain
 /// a location on a surfel cloud: a surfel and an offset in its tangent plane. The two components of
 /// the offset are in the unit of the coordinates.
@@ -123,7 +128,28 @@ struct Surface_traits<Point_set_3<Point, Vector>, true>
   using Vector_3 = Vector;
 };
 
+template <typename Surface>
+struct Surface_of_domain
+{
+  using type = Surface;
+};
+template <typename Surface>
+struct Surface_of_domain<Mesh_domain<Surface>>
+{
+  using type = Surface;
+};
+template <typename Surface>
+struct Surface_of_domain<Surfel_domain<Surface>>
+{
+  using type = Surface;
+};
+
 } // namespace internal
+
+/// \ingroup PkgGeodesicProcessingDomain
+/// the surface of a domain that `make_domain()` returns; otherwise the type itself.
+template <typename Surface>
+using Surface_of = typename internal::Surface_of_domain<Surface>::type;
 
 /// \ingroup PkgGeodesicProcessingDomain
 /// a location on a surface: `Polygon_mesh_processing::Face_location` on a mesh, that is, a face and

@@ -26,7 +26,8 @@ namespace internal {
 
 // Calls face() of the mesh in scopes in which a member function of this name hides it.
 template <typename Halfedge, typename TriangleMesh>
-auto face_of(Halfedge h, const TriangleMesh& mesh)
+typename boost::graph_traits<TriangleMesh>::face_descriptor face_of(Halfedge h,
+                                                                    const TriangleMesh& mesh)
 {
   return face(h, mesh);
 }

@@ -30,8 +30,9 @@ namespace CGAL::Geodesic_processing {
 ///
 /// O(number of crossed faces) time after `make_domain()`.  \cgalCite{cgal:ps-sgps-98}
 template <typename Mesh, typename Place, typename NamedParameters = internal::Default_parameters>
-auto exponential_map(const Mesh& mesh, const Place& base, const std::array<double, 2>& vector,
-                     const NamedParameters& np = NamedParameters())
+Location<Surface_of<Mesh>> exponential_map(const Mesh& mesh, const Place& base,
+                                           const std::array<double, 2>& vector,
+                                           const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
   return internal::exponential(domain, internal::oriented_tangent_plane(domain, base, np), vector);

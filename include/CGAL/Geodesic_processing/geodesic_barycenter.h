@@ -58,8 +58,9 @@ struct Geodesic_barycenter
 /// Takes one distance computation for each location.
 template <typename Method = Automatic, typename Surface, typename Locations,
           typename NamedParameters = internal::Default_parameters>
-auto geodesic_barycenter(const Surface& surface, const Locations& locations,
-                         const NamedParameters& np = NamedParameters())
+Geodesic_barycenter<typename internal::Surface_traits<Surface_of<Surface>>::Vertex>
+geodesic_barycenter(const Surface& surface, const Locations& locations,
+                    const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
   using Domain = std::decay_t<decltype(domain)>;
@@ -89,8 +90,7 @@ auto geodesic_barycenter(const Surface& surface, const Locations& locations,
   if constexpr(internal::has_parameter<NamedParameters, internal_np::objective_map_t>)
     domain.write([&](internal::Index i) { return sum[i]; },
                  internal::parameter(np, internal_np::objective_map, 0));
-  return Geodesic_barycenter<typename Domain::Vertex>{
-      domain.vertex(internal::Index(best - sum.begin())), *best};
+  return {domain.vertex(internal::Index(best - sum.begin())), *best};
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -74,8 +74,8 @@ namespace CGAL::Geodesic_processing {
 /// points.
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
-auto geodesic_lle(const Surface& surface, UVMap uv_map,
-                  const NamedParameters& np = NamedParameters())
+std::vector<typename internal::Surface_traits<Surface_of<Surface>>::Vertex>
+geodesic_lle(const Surface& surface, UVMap uv_map, const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
   const std::size_t neighbors =

@@ -28,8 +28,8 @@ namespace CGAL::Geodesic_processing {
 /// Propagates two fronts over the whole surface for each base point.
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
-auto geodesic_mds(const Surface& surface, UVMap uv_map,
-                  const NamedParameters& np = NamedParameters())
+std::vector<typename internal::Surface_traits<Surface_of<Surface>>::Vertex>
+geodesic_mds(const Surface& surface, UVMap uv_map, const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
   return internal::flatten<Method>(

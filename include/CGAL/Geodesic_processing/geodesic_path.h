@@ -28,8 +28,9 @@ namespace CGAL::Geodesic_processing {
 /// \throws as `Geodesic_distance_solver::compute()`
 template <typename Method = Automatic, typename Surface, typename QueryLocation, typename Sources,
           typename NamedParameters = internal::Default_parameters>
-auto geodesic_path(const Surface& surface, const QueryLocation& from, const Sources& to,
-                   const NamedParameters& np = NamedParameters())
+Surface_path<Surface_of<Surface>> geodesic_path(const Surface& surface, const QueryLocation& from,
+                                                const Sources& to,
+                                                const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
   Geodesic_distance_solver<typename decltype(domain)::Surface, Method> solver(domain);

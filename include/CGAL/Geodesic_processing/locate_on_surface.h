@@ -73,8 +73,8 @@ private:
 /// \param np named parameters of `make_domain()`
 /// \throws Invalid_argument_error if a coordinate is not finite or the surface is empty
 template <typename Surface, typename Point, typename NamedParameters = internal::Default_parameters>
-auto locate_on_surface(const Surface& surface, const Point& point,
-                       const NamedParameters& np = NamedParameters())
+Location<Surface_of<Surface>> locate_on_surface(const Surface& surface, const Point& point,
+                                                const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
   return Surface_locator<typename decltype(domain)::Surface>(domain)(point);

@@ -285,8 +285,9 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 /// \throws as `Logarithmic_map::compute()`
 template <typename Method = Gradient<>, typename Surface, typename Place, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
-auto logarithmic_map(const Surface& surface, const Place& base, UVMap uv_map,
-                     const NamedParameters& np = NamedParameters())
+Tangent_frame<Surface_of<Surface>> logarithmic_map(const Surface& surface, const Place& base,
+                                                   UVMap uv_map,
+                                                   const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
   Logarithmic_map<typename decltype(domain)::Surface, Method> map(domain);

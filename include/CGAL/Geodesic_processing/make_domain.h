@@ -29,7 +29,8 @@ using Domain_of =
 /// \param np named parameters of `Mesh_domain` or `Surfel_domain`
 /// \returns a `Mesh_domain` or a `Surfel_domain`
 template <typename Surface, typename NamedParameters = internal::Default_parameters>
-auto make_domain(const Surface& surface, const NamedParameters& np = NamedParameters())
+internal::Domain_of<Surface> make_domain(const Surface& surface,
+                                         const NamedParameters& np = NamedParameters())
 {
   return internal::Domain_of<Surface>(surface, np);
 }

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <utility>
 #include <type_traits>
 #include <vector>
 
@@ -51,8 +52,9 @@ struct Shortened_polyline
 ///         if a squared distance is not a number
 template <typename PointRange, typename SquaredDistance,
           typename NamedParameters = internal::Default_parameters>
-auto shorten_polyline(const PointRange& polyline, const SquaredDistance& squared_distance,
-                      const NamedParameters& np = NamedParameters())
+Shortened_polyline<std::decay_t<decltype(*std::begin(std::declval<const PointRange&>()))>>
+shorten_polyline(const PointRange& polyline, const SquaredDistance& squared_distance,
+                 const NamedParameters& np = NamedParameters())
 {
   using Point = std::decay_t<decltype(*std::begin(polyline))>;
   std::vector<internal::Vec3> chain;

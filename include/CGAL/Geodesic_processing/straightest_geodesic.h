@@ -42,8 +42,9 @@ struct Straightest_geodesic : Surface_path<Surface>
 /// O(number of crossed faces) time after `make_domain()`.
 template <typename Mesh, typename QueryLocation, typename Vector,
           typename NamedParameters = internal::Default_parameters>
-auto straightest_geodesic(const Mesh& mesh, const QueryLocation& from, const Vector& direction,
-                          double length, const NamedParameters& np = NamedParameters())
+Straightest_geodesic<Surface_of<Mesh>>
+straightest_geodesic(const Mesh& mesh, const QueryLocation& from, const Vector& direction,
+                     double length, const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
   using Surface = typename decltype(domain)::Surface;

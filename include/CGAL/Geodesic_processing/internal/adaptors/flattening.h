@@ -75,8 +75,9 @@ void sample_base_points(const Domain& domain, const NamedParameters& np, std::si
 // map(triangles, sampling, front, callback): returns the image of each vertex in scaled units, or
 // an empty vector if the callback cancelled
 template <typename Method, typename Domain, typename UVMap, typename NamedParameters, typename Map>
-auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np,
-             std::size_t default_number, const Map& map)
+std::vector<typename Domain::Vertex> flatten(const Domain& domain, UVMap uv_map,
+                                             const NamedParameters& np, std::size_t default_number,
+                                             const Map& map)
 {
   static_assert(is_front<Method>,
                 "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
