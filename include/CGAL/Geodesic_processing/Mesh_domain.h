@@ -181,12 +181,12 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
     {
       corners.push_back(get(data->index_of_vertex, source(h, mesh)));
       const auto twin = opposite(h, mesh);
-      if(is_border(twin, mesh))
+      const Face twin_face = internal::face_of(twin, mesh);
+      if(twin_face == Graph::null_face())
       {
         twins.push_back(internal::none);
         continue;
       }
-      const Face twin_face = internal::face_of(twin, mesh);
       auto candidate = halfedge(twin_face, mesh);
       Index twin_index = 3 * get(data->triangle_of_face, twin_face);
       for(int k_twin = 0; candidate != twin && k_twin < 2; ++k_twin, ++twin_index)

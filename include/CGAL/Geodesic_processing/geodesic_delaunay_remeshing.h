@@ -207,7 +207,8 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
         const internal::Index a = found.triangles[i][k], b = found.triangles[i][(k + 1) % 3];
         const auto h = halfedge(vertices[a], vertices[b], output).first;
         // Reports an edge with two faces only once.
-        if(a < b || is_border(opposite(h, output), output))
+        if(a < b ||
+           face(opposite(h, output), output) == boost::graph_traits<OutputMesh>::null_face())
         {
           const auto e = edge(h, output);
           const bool is_forward = source(halfedge(e, output), output) == vertices[a];
