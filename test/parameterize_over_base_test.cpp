@@ -33,4 +33,18 @@ TEST(parameterize_over_base, writes_location_of_each_vertex)
   EXPECT_EQ(base_locations[isolated].face, 12345u);
 }
 
+TEST(parameterize_over_base, accepts_domain)
+{
+  Mesh mesh = mesh_of(jittered(icosphere(2), 0.02));
+  const auto of_mesh = mesh.add_property_map<Vertex, GP::Base_location>("v:of_mesh").first,
+             of_domain = mesh.add_property_map<Vertex, GP::Base_location>("v:of_domain").first;
+  GP::parameterize_over_base(mesh, 20, of_mesh);
+  GP::parameterize_over_base(GP::make_domain(mesh), 20, of_domain);
+  for(const Vertex v : mesh.vertices())
+  {
+    EXPECT_EQ(of_domain[v].face, of_mesh[v].face);
+    EXPECT_EQ(of_domain[v].barycentric, of_mesh[v].barycentric);
+  }
+}
+
 } // namespace parameterize_over_base_test

@@ -19,6 +19,18 @@ namespace GP = CGAL::Geodesic_processing;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using namespace GP::test;
 
+TEST(semi_regular_remeshing, accepts_domain)
+{
+  const Mesh mesh = mesh_of(icosphere(3));
+  Mesh of_mesh, of_domain;
+  GP::semi_regular_remeshing(mesh, 30, 2, of_mesh);
+  GP::semi_regular_remeshing(GP::make_domain(mesh), 30, 2, of_domain);
+  ASSERT_EQ(num_vertices(of_domain), num_vertices(of_mesh));
+  EXPECT_EQ(num_faces(of_domain), num_faces(of_mesh));
+  for(const Vertex v : of_mesh.vertices())
+    EXPECT_EQ(of_domain.point(v), of_mesh.point(v));
+}
+
 TEST(semi_regular_remeshing, has_subdivision_connectivity)
 {
   const Mesh mesh = mesh_of(icosphere(3));

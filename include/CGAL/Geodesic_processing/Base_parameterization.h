@@ -72,6 +72,9 @@ struct Base_location
 template <typename TriangleMesh>
 class Base_parameterization
 {
+  static_assert(!internal::Is_cloud<TriangleMesh>::value,
+                "A base mesh needs a mesh, because the triangles of a cloud overlap: use "
+                "geodesic_delaunay_remeshing() first.");
   using Domain = Mesh_domain<TriangleMesh>;
 
 public:
@@ -103,19 +106,14 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   Base_parameterization(const TriangleMesh& mesh, std::size_t number,
                         const NamedParameters& np = NamedParameters())
-      : m_domain(mesh, np)
-  {
-    auto base = std::make_shared<internal::Base_mesh>(internal::build_base_mesh(
-        m_domain.triangles(), internal::base_mesh_options(mesh, m_domain, number, np)));
-    if(!base->is_finished)
-      throw Cancelled();
-    if(base->triangles.empty())
-      throw Invalid_argument_error("The mesh has no triangles.");
-    m_map = std::make_shared<const internal::Base_map>(
-        std::move(base),
-        internal::parameter(np, internal_np::base_coordinates, Base_coordinates::heron));
-  }
-
+      : Base_parameterization(mesh, Domain(mesh, np), number, np)
+  {}
+  /// Computes the base mesh and the map of a domain, which admits no maps of edges.
+  template <typename NamedParameters = internal::Default_parameters>
+  Base_parameterization(const Domain& domain, std::size_t number,
+                        const NamedParameters& np = NamedParameters())
+      : Base_parameterization(domain, domain, number, np)
+  {}
   /// Returns the number of vertices of the base mesh.
   std::size_t number_of_base_vertices() const { return m_map->base().samples.size(); }
   /// Returns the number of faces of the base mesh.
@@ -168,6 +166,21 @@ public:
   /// @}
 
 private:
+  template <typename Mesh_or_domain, typename NamedParameters>
+  Base_parameterization(const Mesh_or_domain& mesh, const Domain& domain, std::size_t number,
+                        const NamedParameters& np)
+      : m_domain(domain)
+  {
+    auto base = std::make_shared<internal::Base_mesh>(internal::build_base_mesh(
+        m_domain.triangles(), internal::base_mesh_options(mesh, m_domain, number, np)));
+    if(!base->is_finished)
+      throw Cancelled();
+    if(base->triangles.empty())
+      throw Invalid_argument_error("The mesh has no triangles.");
+    m_map = std::make_shared<const internal::Base_map>(
+        std::move(base),
+        internal::parameter(np, internal_np::base_coordinates, Base_coordinates::heron));
+  }
   void check_face(std::size_t face) const
   {
     if(face >= number_of_base_faces())

@@ -35,6 +35,9 @@ Location<Surface_of<Mesh>> exponential_map(const Mesh& mesh, const Place& base,
                                            const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
+  static_assert(
+      !internal::Is_cloud<Surface_of<Mesh>>::value,
+      "An exponential map needs a mesh, because the triangles of a cloud are not connected.");
   return internal::exponential(domain, internal::oriented_tangent_plane(domain, base, np), vector);
 }
 

@@ -23,7 +23,7 @@ namespace CGAL::Geodesic_processing {
 /// vertices and from each other, so they meet in base vertices only. The genus, boundary cycles and
 /// connected components are the same as for the mesh.
 ///
-/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
+/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles, or its domain
 /// \param number the number of base vertices; 0 requests the minimum that the topology requires
 /// \param base a model of `MutableFaceGraph`, to which base vertices and faces are added
 /// \param divided a model of `MutableFaceGraph`, to which the vertices and faces of the split mesh
@@ -39,6 +39,9 @@ Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number
                                     const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
+  static_assert(!internal::Is_cloud<Surface_of<TriangleMesh>>::value,
+                "A base mesh needs a mesh, because the triangles of a cloud overlap: use "
+                "geodesic_delaunay_remeshing() first.");
   const internal::Base_mesh found = internal::build_base_mesh(
       domain.triangles(), internal::base_mesh_options(mesh, domain, number, np));
   if(!found.is_finished)

@@ -39,6 +39,8 @@ void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map
                          const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
+  static_assert(!internal::Is_cloud<Surface_of<Mesh>>::value,
+                "The decomposition needs a mesh, because a cloud has no faces.");
   const internal::Surface_arrays& t = *domain.triangles();
   internal::Field planar(t.number_of_triangles());
   for(internal::Index f = 0; f < planar.size(); ++f)

@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing {
 ///
 /// The returned `Base_parameterization` also maps all other locations.
 ///
-/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
+/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles, or its domain
 /// \param number the number of base vertices
 /// \param base_location_map receives for each vertex its `Base_location`; vertices without faces
 ///        are not written
@@ -23,15 +23,16 @@ namespace CGAL::Geodesic_processing {
 /// \throws as `Base_parameterization`
 template <typename TriangleMesh, typename BaseLocationMap,
           typename NamedParameters = internal::Default_parameters>
-Base_parameterization<TriangleMesh>
+Base_parameterization<Surface_of<TriangleMesh>>
 parameterize_over_base(const TriangleMesh& mesh, std::size_t number,
                        BaseLocationMap base_location_map,
                        const NamedParameters& np = NamedParameters())
 {
-  Base_parameterization<TriangleMesh> result(mesh, number, np);
-  for(const auto v : vertices(mesh))
-    if(halfedge(v, mesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
-      put(base_location_map, v, result(v));
+  Base_parameterization<Surface_of<TriangleMesh>> result(mesh, number, np);
+  const auto& domain = result.domain();
+  for(internal::Index i = 0; i < domain.number_of_vertices(); ++i)
+    if(internal::vertex_location(*domain.triangles(), i).triangle != internal::none)
+      put(base_location_map, domain.vertex(i), result(domain.vertex(i)));
   return result;
 }
 

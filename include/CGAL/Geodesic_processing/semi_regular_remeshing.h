@@ -46,7 +46,7 @@ struct Semi_regular_result
 /// order. Faces \f$4f\f$ to \f$4f+3\f$ are the parts of face \f$f\f$ of the previous level. Quads
 /// \f$3f\f$ to \f$3f+2\f$ of level 0 are the parts of base face \f$f\f$.
 ///
-/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
+/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles, or its domain
 /// \param number the number of base vertices
 /// \param levels the number of 1-to-4 refinements
 /// \param output a model of `MutableFaceGraph`, to which the vertices and faces are added
@@ -83,7 +83,7 @@ Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t
   if(has_quads && deviation > 0.)
     throw Invalid_argument_error(
         "A maximum deviation is supported only for triangles, not for quads.");
-  const Base_parameterization<TriangleMesh> base(mesh, number, np);
+  const Base_parameterization<Surface_of<TriangleMesh>> base(mesh, number, np);
   const internal::Surface_arrays& coarse = *base.domain().triangles();
   const internal::Semi_regular_mesh found =
       has_quads
