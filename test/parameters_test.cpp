@@ -18,7 +18,7 @@ void expect_values(const NamedParameters& np)
   EXPECT_EQ(GP::internal::parameter(np, GP::internal_np::maximum_distance, 0.), 0.5);
   EXPECT_EQ(GP::internal::parameter(np, CGAL::internal_np::vertex_point, std::string()), "points");
   EXPECT_EQ(GP::internal::parameter(np, GP::internal_np::number_of_threads, 1u), 3u);
-  EXPECT_TRUE((GP::internal::has_parameter<NamedParameters, GP::internal_np::threads_t>));
+  EXPECT_TRUE((GP::internal::has_parameter<NamedParameters, GP::internal_np::number_of_threads_t>));
   EXPECT_FALSE((GP::internal::has_parameter<NamedParameters, GP::internal_np::targets_t>));
   EXPECT_EQ(GP::internal::parameter(np, GP::internal_np::targets, 7), 7);
 }

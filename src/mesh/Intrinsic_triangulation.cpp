@@ -34,8 +34,9 @@ constexpr double min_longest_edge_length = 5.;
 // front is slower than exact distances on many meshes of less than 100 vertices.
 constexpr double min_number_of_vertices = 500.;
 // The triangulation has at most this multiple of the same number of vertices.  This limits the time
-// on needles, whose edges are all long: a front on a cylinder of 18,000 vertices takes 3.4 times as
-// long as fast marching, and 18 times with a multiple of 8.  The errors on public meshes are equal.
+// on needles, whose edges are all long: a front on a cylinder of 18,000 vertices takes 2.6 times as
+// long as fast marching, and many times as long with a multiple of 8.  The errors on public meshes
+// are equal.
 constexpr double max_refinement = 2.;
 
 double number_of_vertices_for_area(const Surface_arrays& mesh)
