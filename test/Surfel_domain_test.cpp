@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
+#include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -12,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <forward_list>
 #include <limits>
 
 namespace Surfel_domain_test {
@@ -148,6 +151,80 @@ TEST(Surfel_domain, points_are_of_the_kernel_of_the_range)
   const auto index_maps = GP::parameters::point_map(CGAL::make_property_map(points))
                               .normal_map(CGAL::make_property_map(normals));
   expect_float_path(GP::geodesic_path(range, std::size_t(0), std::size_t(100), index_maps));
+}
+
+// Has what the concept SurfelRange requires, and nothing else.
+class Surfel_range_archetype
+{
+public:
+  struct Element
+  {
+    std::size_t row;
+  };
+
+  explicit Surfel_range_archetype(std::size_t size)
+  {
+    for(std::size_t row = size; row-- > 0;)
+      m_elements.push_front({row});
+  }
+  Surfel_range_archetype(const Surfel_range_archetype&) = delete;
+  Surfel_range_archetype& operator=(const Surfel_range_archetype&) = delete;
+  std::forward_list<Element>::const_iterator begin() const { return m_elements.begin(); }
+  std::forward_list<Element>::const_iterator end() const { return m_elements.end(); }
+
+private:
+  std::forward_list<Element> m_elements;
+};
+
+// Maps elements of the archetype to coordinates that are stored elsewhere.
+template <typename Vector>
+struct Archetype_map
+{
+  class Coordinates
+  {
+  public:
+    explicit Coordinates(const Vector& v) : m_vector(v) {}
+    double x() const { return m_vector.x(); }
+    double y() const { return m_vector.y(); }
+    double z() const { return m_vector.z(); }
+
+  private:
+    Vector m_vector;
+  };
+  using key_type = Surfel_range_archetype::Element;
+  using value_type = Coordinates;
+  using reference = Coordinates;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<Vector>* vectors;
+
+  friend Coordinates get(const Archetype_map& map, const key_type& element)
+  {
+    return Coordinates((*map.vectors)[element.row]);
+  }
+};
+
+TEST(Surfel_domain, reads_archetype_of_a_range)
+{
+  const Surfels surfels = sphere_surfels(2);
+  std::vector<Kernel::Point_3> points;
+  std::vector<Kernel::Vector_3> normals;
+  for(const auto& [point, normal] : surfels)
+  {
+    points.push_back(point);
+    normals.push_back(normal);
+  }
+  const Surfel_range_archetype range(surfels.size());
+  const GP::Surfel_domain<Surfel_range_archetype> domain(
+      range, GP::parameters::point_map(Archetype_map<Kernel::Point_3>{&points})
+                 .normal_map(Archetype_map<Kernel::Vector_3>{&normals}));
+  ASSERT_EQ(domain.number_of_vertices(), surfels.size());
+  EXPECT_EQ(domain.triangles()->length,
+            GP::Surfel_domain<Surfels>(surfels, maps).triangles()->length);
+  std::vector<double> distances(surfels.size());
+  GP::geodesic_distances(domain, std::size_t(0), CGAL::make_property_map(distances));
+  EXPECT_EQ(distances[0], 0.);
+  EXPECT_NEAR(*std::max_element(distances.begin(), distances.end()), pi, 0.1); // coarse surfels
 }
 
 TEST(Surfel_domain, locations_round_trip)

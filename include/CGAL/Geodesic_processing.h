@@ -45,6 +45,7 @@
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/mass_density.h>
 #include <CGAL/Geodesic_processing/mean_value_coordinates.h>
 #include <CGAL/Geodesic_processing/minimize_distortion.h>
 #include <CGAL/Geodesic_processing/parameterize_over_base.h>

@@ -340,7 +340,7 @@ int main(int argc, char* argv[])
   {
     std::vector<Panel> panels = {on_sphere.panel("Unit sphere, compared with great circles")};
     if(on_scan)
-      panels.push_back(on_scan->panel("Scan and two refinements, compared with exact distances"));
+      panels.push_back(on_scan->panel("Scan and refinements, compared with exact distances"));
     if(!write_error_plot(plot, panels))
     {
       std::fprintf(stderr, "accuracy: cannot write %s\n", plot.c_str());

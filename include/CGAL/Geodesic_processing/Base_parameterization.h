@@ -21,16 +21,23 @@
 
 namespace CGAL::Geodesic_processing {
 
+#ifndef DOXYGEN_RUNNING
+using internal::Base_coordinates;
+#else
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
 /// The kind of barycentric coordinates inside a base face. Base edges are parameterized by arc
 /// length.
-///
-/// `heron`: areas of planar triangles whose edge lengths are the lengths of the base edges and the
-/// geodesic distances to the corners. \cgalCite{cgal:pc-grfp-03} They preserve distances if the
-/// surface is flat. `mean_value`: Floater's convex combinations (2003). `uniform`: the mean of the
-/// neighbors (Tutte 1963).
-using Base_coordinates = internal::Base_coordinates;
+enum class Base_coordinates
+{
+  /// areas of planar triangles whose edge lengths are the lengths of the base edges and the geodesic
+  /// distances to the corners. They preserve distances if the surface is flat.
+  /// \cgalCite{cgal:pc-grfp-03}
+  heron,
+  mean_value, ///< convex combinations of the neighbors with mean value weights (Floater 2003)
+  uniform     ///< the mean of the neighbors (Tutte 1963)
+};
+#endif
 
 namespace internal {
 

@@ -37,14 +37,14 @@ typename boost::graph_traits<TriangleMesh>::face_descriptor face_of(Halfedge h,
 /// \ingroup PkgGeodesicProcessingDomain
 ///
 /// represents a triangle mesh for all algorithms of this package: its triangles, their adjacency
-/// and their edge lengths. It is returned by `make_domain()`. Copies are cheap, since they share
-/// the data.
+/// and their edge lengths. It is returned by `make_domain()` and can be passed to functions instead
+/// of the mesh. It is immutable, and copies are cheap, since they share the data.
 ///
 /// A domain stores the descriptors of the mesh, but does not refer to the mesh. If the mesh is
 /// destroyed, the domain can still be used. If the mesh is changed, it cannot.
 /// It takes about 175 bytes per vertex.
 ///
-/// \cgalModels `TriangulatedGeodesicDomain`
+/// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
 class Mesh_domain
 {

@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/core/slowness.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
+#include <CGAL/Geodesic_processing/mass_density.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -22,32 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Geodesic_processing {
-
-/// \ingroup PkgGeodesicProcessingTransport
-/// stores a mass distribution with a density, which is linear in each triangle. See
-/// `mass_density()`.
-///
-/// \tparam PropertyMap a model of `ReadablePropertyMap` with vertices or surfels as keys and
-///   numbers as values
-template <typename PropertyMap>
-struct Mass_density
-{
-  PropertyMap map; ///< mass per area at each vertex or surfel, in the unit of the coordinates
-};
-
-/// \ingroup PkgGeodesicProcessingTransport
-/// creates a mass distribution for `earth_movers_distance()` from a property map of densities.
-///
-/// \param map the mass per area at each vertex or surfel, per squared unit of the coordinates
-/// \returns the density, to be passed as `from` or `to`
-template <typename PropertyMap>
-Mass_density<PropertyMap> mass_density(PropertyMap map)
-{
-  return {std::move(map)};
-}
-
-namespace internal {
+namespace CGAL::Geodesic_processing::internal {
 
 template <typename T>
 struct Is_density : std::false_type
@@ -188,7 +164,6 @@ std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParamete
   return result;
 }
 
-} // namespace internal
-} // namespace CGAL::Geodesic_processing
+} // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_MASSES_H
