@@ -256,11 +256,11 @@ TEST(Geodesic_distances, accept_named_parameters_in_any_order)
                              .maximum_distance(1.)
                              .source_label_map(label)
                              .callback(callback)
-                             .geom_traits(Kernel()));
+                             .random_seed(1));
   GP::geodesic_distances(mesh, Vertex(0), other,
                          GP::parameters::maximum_distance(1.)
                              .callback(callback)
-                             .geom_traits(Kernel())
+                             .random_seed(1)
                              .source_label_map(label)
                              .vertex_point_map(points));
   EXPECT_GE(calls, 2);

@@ -101,7 +101,9 @@ public:
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{base_coordinates}
-  ///     \cgalParamDescription{a `Base_coordinates`} \cgalParamDefault{`Base_coordinates::heron`}
+  ///     \cgalParamDescription{the coordinates inside base faces}
+  ///     \cgalParamType{`Base_coordinates`}
+  ///     \cgalParamDefault{`Base_coordinates::heron`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if the triangles of the mesh cannot be remeshed, or if edges

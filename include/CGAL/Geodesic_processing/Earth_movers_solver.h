@@ -107,7 +107,8 @@ public:
   ///   \cgalParamNBegin{do_straighten}
   ///     \cgalParamDescription{whether lines are shortened to geodesics; ignored if there is a
   ///       metric, or a speed that is neither zero nor one}
-  ///     \cgalParamType{`bool`} \cgalParamDefault{`true`}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Invalid_argument_error if there was no query
@@ -198,23 +199,29 @@ public:
   ///     \cgalParamDescription{the number of uniform 1-to-4 subdivisions of each triangle; each
   ///       halves the error and takes four to eight times as long}
   ///     \cgalParamType{`unsigned`}
-  ///     \cgalParamDefault{1 up to 5,000 vertices or surfels, otherwise 0} \cgalParamNEnd
+  ///     \cgalParamDefault{1 up to 5,000 vertices or surfels, otherwise 0}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{speed_map, face_speed_map}
   ///     \cgalParamDescription{as for `Geodesic_distance_solver::compute()`; the cost of a path is
-  ///       then its travel time} \cgalParamDefault{1 everywhere} \cgalParamNEnd
+  ///       then its travel time}
+  ///     \cgalParamType{as for `Geodesic_distance_solver::compute()`}
+  ///     \cgalParamDefault{1 everywhere}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{metric_map}
   ///     \cgalParamDescription{a symmetric positive definite matrix M for each vertex or surfel.
   ///       The length of a vector v is the square root of v<SUP>T</SUP> M v, divided by the speed.
   ///       M of a triangle is the mean of its corners}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with vertices or surfels as keys and
   ///       `Eigen::Matrix3d` values}
-  ///     \cgalParamDefault{the identity} \cgalParamNEnd
+  ///     \cgalParamDefault{the identity}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{face_metric_map}
   ///     \cgalParamDescription{a symmetric positive definite matrix for each face of a mesh}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with faces as keys and `Eigen::Matrix3d`
   ///       values}
   ///     \cgalParamDefault{the identity}
-  ///     \cgalParamExtra{`metric_map` and `face_metric_map` exclude each other.} \cgalParamNEnd
+  ///     \cgalParamExtra{`metric_map` and `face_metric_map` exclude each other.}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `make_domain()`
   /// \throws Unsupported_surface_error if no triangle has an area or the refined surface is too
@@ -240,26 +247,37 @@ public:
   ///   \cgalParamNBegin{tolerance}
   ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
   ///       the iteration ends}
-  ///     \cgalParamType{`double`} \cgalParamDefault{0.001} \cgalParamNEnd
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0.001}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_number_of_iterations}
   ///     \cgalParamDescription{the maximum number of iterations on each level}
-  ///     \cgalParamType{`unsigned`} \cgalParamDefault{100, for `Alternating_directions` 5,000}
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{100, for `Alternating_directions` 5,000}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_normalize}
   ///     \cgalParamDescription{whether both distributions are scaled to a total mass of one}
-  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_bound_from_above}
   ///     \cgalParamDescription{whether `Earth_movers_cost::upper_continuous` is computed, which
   ///       takes a few times as long; meshes only}
-  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_start_from_last}
-  ///     \cgalParamDescription{whether `Alternating_directions` starts from the final state of
-  ///       the last call, which saves iterations if the masses are similar}
-  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+  ///     \cgalParamDescription{whether `Alternating_directions` starts from the final state of the
+  ///       last call, which saves iterations if the masses are similar}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
   ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the function
   ///       throws `Cancelled`}
-  ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
+  ///     \cgalParamType{`std::function<bool(double)>`}
+  ///     \cgalParamDefault{no callback}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns the distance with certified bounds
   /// \throws Invalid_argument_error if a mass is not finite, if a location is not on the surface,

@@ -88,33 +88,45 @@ public:
   ///        these
   /// \param np
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{maximum_distance} \cgalParamDescription{vertices or surfels farther than
-  ///     this distance are not reached} \cgalParamDefault{infinity} \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_distance}
+  ///     \cgalParamDescription{vertices or surfels farther than this distance are not reached}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{infinity}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{targets}
   ///     \cgalParamDescription{a vertex, a surfel, a location, or a range of them: the computation
-  ///       can stop as soon as their distances are final} \cgalParamDefault{no targets}
-  ///       \cgalParamNEnd
+  ///       can stop as soon as their distances are final}
+  ///     \cgalParamType{a vertex, a surfel, a location, or a range of these}
+  ///     \cgalParamDefault{no targets}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{speed_map}
   ///     \cgalParamDescription{the speed of the front at vertices or surfels, finite and not
   ///       negative, zero at obstacles. 1/speed of a triangle is the mean of 1/speed at its
   ///       corners}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with vertices or surfels as keys and
   ///       `double` values}
-  ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
+  ///     \cgalParamDefault{1 everywhere}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{face_speed_map}
   ///     \cgalParamDescription{the speed of the front in the faces of a mesh, finite and not
   ///       negative, zero in obstacles}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with faces as keys and `double` values}
   ///     \cgalParamDefault{1 everywhere}
-  ///     \cgalParamExtra{`speed_map` and `face_speed_map` exclude each other.} \cgalParamNEnd
+  ///     \cgalParamExtra{`speed_map` and `face_speed_map` exclude each other.}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{relative_tolerance}
-  ///     \cgalParamDescription{a `double`, not negative.  If it is positive, `Exact` merges similar
+  ///     \cgalParamDescription{a fraction, not negative. If it is positive, `Exact` merges similar
   ///       windows, and `lower()` and `upper()` differ by at most this fraction of `lower()`, which
-  ///       `maximum_distance` bounds.  On fine smooth meshes this takes a fifth of the time}
-  ///     \cgalParamDefault{0: exact distances} \cgalParamNEnd
+  ///       `maximum_distance` bounds. On fine smooth meshes this takes a fifth of the time}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0: exact distances}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the completed
-  ///       fraction; if it returns false, the computation is canceled} \cgalParamNEnd
+  ///     \cgalParamDescription{a function that is called with the completed fraction; if it returns
+  ///       false, the computation is canceled}
+  ///     \cgalParamType{`std::function<bool(double)>`}
+  ///     \cgalParamDefault{no callback}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \pre Property maps have a value for each of their keys. If a map reads a vector, as those of
   ///      `CGAL::make_property_map()` do, the length of the vector is not checked.
@@ -228,8 +240,11 @@ public:
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{tolerance}
   ///     \cgalParamDescription{paths that are longer by at most this fraction of the distance count
-  ///       as shortest, which compensates for round-off errors.  The excess length must be far
-  ///       smaller than an edge.} \cgalParamType{`double`} \cgalParamDefault{1e-9} \cgalParamNEnd
+  ///       as shortest, which compensates for round-off errors. The excess length must be far
+  ///       smaller than an edge.}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{1e-9}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if the last computation did not use `Exact` without a
   ///         relative tolerance

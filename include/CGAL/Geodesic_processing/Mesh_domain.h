@@ -62,9 +62,12 @@ public:
   /// constructs the domain by reading the mesh once. O(n).
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{vertex_point_map} \cgalParamNEnd
-  ///   \cgalParamNBegin{vertex_index_map} \cgalParamNEnd
-  ///   \cgalParamNBegin{face_index_map} \cgalParamNEnd
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{the positions of the vertices}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with vertices as keys and 3D points as
+  ///       values}
+  ///     \cgalParamDefault{the vertex point map of the mesh}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if a face is not a triangle, or if there are more than
   ///         2<SUP>31</SUP> halfedges
@@ -142,6 +145,11 @@ template <typename NamedParameters>
 Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedParameters& np)
 {
   using internal::Index;
+  static_assert(!internal::has_parameter<NamedParameters, CGAL::internal_np::vertex_index_t> &&
+                    !internal::has_parameter<NamedParameters, CGAL::internal_np::face_index_t>,
+                "A domain numbers vertices and faces itself: it does not use index maps.");
+  static_assert(!internal::has_parameter<NamedParameters, CGAL::internal_np::geom_traits_t>,
+                "The kernel is that of the vertex point map: geom_traits is not used.");
   const auto points = internal::parameter(np, CGAL::internal_np::vertex_point,
                                           get_const_property_map(vertex_point, mesh));
 

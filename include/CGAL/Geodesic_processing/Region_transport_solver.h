@@ -92,12 +92,16 @@ public:
   ///   \cgalParamNBegin{capacities}
   ///     \cgalParamDescription{the maximum mass that can arrive at each source of the region:
   ///       positive, infinite for no limit}
-  ///     \cgalParamType{a range of `double`} \cgalParamDefault{no limits} \cgalParamNEnd
+  ///     \cgalParamType{a range of `double`}
+  ///     \cgalParamDefault{no limits}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{spreading_weight}
   ///     \cgalParamDescription{a weight: the integral of the squared density of arriving mass,
-  ///       times this weight, is added to the cost. The area of a source is a third of the area
-  ///       of the faces incident to its vertices}
-  ///     \cgalParamType{`double`} \cgalParamDefault{0} \cgalParamNEnd
+  ///       times this weight, is added to the cost. The area of a source is a third of the area of
+  ///       the faces incident to its vertices}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `Earth_movers_solver`
   /// \throws Invalid_argument_error if the region is empty, if a location is not on the surface,

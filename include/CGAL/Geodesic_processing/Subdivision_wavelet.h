@@ -72,15 +72,23 @@ public:
   /// Recovers the levels from the connectivity.  O(n) time.
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{number_of_levels} \cgalParamDescription{the maximum number of levels above
-  ///     the coarsest one} \cgalParamDefault{all levels of the mesh} \cgalParamNEnd
-  ///   \cgalParamNBegin{wavelet_prediction} \cgalParamDescription{a `Wavelet_prediction`}
-  ///     \cgalParamDefault{`Wavelet_prediction::butterfly`} \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_levels}
+  ///     \cgalParamDescription{the maximum number of levels above the coarsest one}
+  ///     \cgalParamType{`std::size_t`}
+  ///     \cgalParamDefault{all levels of the mesh}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{wavelet_prediction}
+  ///     \cgalParamDescription{the prediction of the values at new vertices}
+  ///     \cgalParamType{`Wavelet_prediction`}
+  ///     \cgalParamDefault{`Wavelet_prediction::butterfly`}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_update}
   ///     \cgalParamDescription{whether the update step of lifting is applied, which preserves the
-  ///       weighted sum of the values on all levels.  Then wavelets have one vanishing moment, and
+  ///       weighted sum of the values on all levels. Then wavelets have one vanishing moment, and
   ///       the error due to omitted details is smaller}
-  ///     \cgalParamDefault{`true`} \cgalParamNEnd
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`true`}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if a face is not a triangle, if two vertices are joined by
   ///         two edges, or if there is no coarser level
@@ -130,9 +138,11 @@ public:
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{do_use_frames}
   ///     \cgalParamDescription{whether details of positions are expressed in local frames of the
-  ///       coarser surface.  This separates tangential details, which hardly affect the shape, from
+  ///       coarser surface. This separates tangential details, which hardly affect the shape, from
   ///       normal ones}
-  ///     \cgalParamDefault{`false`} \cgalParamNEnd
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Invalid_argument_error if a value is not finite, or if `do_use_frames` is true and
   ///         values do not have three components
@@ -167,11 +177,16 @@ public:
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{number_of_bit_planes}
-  ///     \cgalParamDescription{the number of bits of the largest coefficient, 1 to 48.  With p
+  ///     \cgalParamDescription{the number of bits of the largest coefficient, 1 to 48. With p
   ///       planes, the final error is about the largest coefficient divided by 2<SUP>p</SUP>}
-  ///     \cgalParamDefault{24} \cgalParamNEnd
-  ///   \cgalParamNBegin{maximum_number_of_bytes} \cgalParamDescription{the size to which the stream
-  ///     is truncated} \cgalParamDefault{unlimited} \cgalParamNEnd
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{24}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_number_of_bytes}
+  ///     \cgalParamDescription{the size to which the stream is truncated}
+  ///     \cgalParamType{`std::size_t`}
+  ///     \cgalParamDefault{unlimited}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Invalid_argument_error if the details do not match the mesh, are not finite, or have
   ///         more than 16 channels, or if the number of bit planes is not in the range 1 to 48

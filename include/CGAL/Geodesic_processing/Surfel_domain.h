@@ -44,15 +44,29 @@ public:
   /// constructs the domain by reading the cloud once. O(n log n).
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{point_map} \cgalParamDescription{the points of the elements of the range}
+  ///   \cgalParamNBegin{point_map}
+  ///     \cgalParamDescription{the points of the elements of the range}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of the range as keys and
+  ///       3D points as values}
   ///     \cgalParamDefault{the point map of a `Point_set_3`, otherwise the identity}
-  ///     \cgalParamNEnd
-  ///   \cgalParamNBegin{normal_map} \cgalParamDescription{the normals, of any positive length}
-  ///     \cgalParamDefault{the normal map of a `Point_set_3`} \cgalParamNEnd
-  ///   \cgalParamNBegin{radius_map} \cgalParamDescription{the radii of the surfels}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{normal_map}
+  ///     \cgalParamDescription{the normals, of any positive length}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of the range as keys and
+  ///       3D vectors as values}
+  ///     \cgalParamDefault{the normal map of a `Point_set_3`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{radius_map}
+  ///     \cgalParamDescription{the radii of the surfels}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of the range as keys and
+  ///       `double` as values}
   ///     \cgalParamDefault{the distance to the 8th neighbor, divided by the square root of two}
-  ///     \cgalParamNEnd
-  ///   \cgalParamNBegin{number_of_threads} \cgalParamDefault{1} \cgalParamNEnd
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_threads}
+  ///     \cgalParamDescription{the number of threads}
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{1}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if there are no normals
   /// \throws Invalid_argument_error if a coordinate or a radius is not finite, a radius is
@@ -109,6 +123,8 @@ template <typename SurfelRange>
 template <typename NamedParameters>
 Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range, const NamedParameters& np)
 {
+  static_assert(!internal::has_parameter<NamedParameters, CGAL::internal_np::geom_traits_t>,
+                "The kernel is that of the range, see Surfel_kernel: geom_traits is not used.");
   auto data = std::make_shared<Data>();
   data->descriptors = internal::Surfel_descriptors<Surface>(range);
   internal::Surfel_input input = internal::read_surfels(range, np);

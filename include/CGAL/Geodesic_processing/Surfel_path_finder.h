@@ -68,31 +68,68 @@ public:
   /// \param surfels the cloud
   /// \param np
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{point_map} \cgalParamDescription{the points of the elements of the range}
-  ///     \cgalParamDefault{the point map of a `Point_set_3`, otherwise the identity} \cgalParamNEnd
-  ///   \cgalParamNBegin{normal_map} \cgalParamDescription{the normals, of any positive length}
-  ///     \cgalParamDefault{the normal map of a `Point_set_3`} \cgalParamNEnd
-  ///   \cgalParamNBegin{radius_map} \cgalParamDescription{the radii of the surfels' disks}
+  ///   \cgalParamNBegin{point_map}
+  ///     \cgalParamDescription{the points of the elements of the range}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of the range as keys and
+  ///       3D points as values}
+  ///     \cgalParamDefault{the point map of a `Point_set_3`, otherwise the identity}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{normal_map}
+  ///     \cgalParamDescription{the normals, of any positive length}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of the range as keys and
+  ///       3D vectors as values}
+  ///     \cgalParamDefault{the normal map of a `Point_set_3`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{radius_map}
+  ///     \cgalParamDescription{the radii of the surfels' disks}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of the range as keys and
+  ///       `double` as values}
   ///     \cgalParamDefault{the distance to the 8th nearest neighbor divided by the square root of
   ///       two}
-  ///     \cgalParamNEnd
-  ///   \cgalParamNBegin{surfel_path_method} \cgalParamDescription{a `Surfel_path_method`}
-  ///     \cgalParamDefault{`projected_quadrics`} \cgalParamNEnd
-  ///   \cgalParamNBegin{surfel_noise} \cgalParamDescription{a `Surfel_noise`}
-  ///     \cgalParamDefault{`removed_when_found`} \cgalParamNEnd
-  ///   \cgalParamNBegin{surfel_graph} \cgalParamDescription{a `Surfel_graph`}
-  ///     \cgalParamDefault{`extended_spheres`} \cgalParamNEnd
-  ///   \cgalParamNBegin{surfel_search} \cgalParamDescription{a `Surfel_search`}
-  ///     \cgalParamDefault{`coarse_to_fine`} \cgalParamNEnd
-  ///   \cgalParamNBegin{number_of_control_points} \cgalParamDescription{the maximum number
-  ///     of control points.  Paths of a few surfels have fewer, and paths across sharp edges can
-  ///     have more} \cgalParamDefault{75} \cgalParamNEnd
-  ///   \cgalParamNBegin{node_weight} \cgalParamDescription{the weight \f$ \alpha \f$ of the control
-  ///     points' squared distances in the energy} \cgalParamDefault{0.7} \cgalParamNEnd
-  ///   \cgalParamNBegin{segment_weight} \cgalParamDescription{the weight \f$ \beta \f$ of the
-  ///     squared distances of the segments' midpoints in the energy} \cgalParamDefault{0.7}
-  ///     \cgalParamNEnd
-  ///   \cgalParamNBegin{number_of_threads} \cgalParamDefault{1} \cgalParamNEnd
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{surfel_path_method}
+  ///     \cgalParamDescription{the method}
+  ///     \cgalParamType{`Surfel_path_method`}
+  ///     \cgalParamDefault{`projected_quadrics`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{surfel_noise}
+  ///     \cgalParamDescription{the treatment of noise}
+  ///     \cgalParamType{`Surfel_noise`}
+  ///     \cgalParamDefault{`removed_when_found`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{surfel_graph}
+  ///     \cgalParamDescription{the proximity graph}
+  ///     \cgalParamType{`Surfel_graph`}
+  ///     \cgalParamDefault{`extended_spheres`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{surfel_search}
+  ///     \cgalParamDescription{the search for the path that initializes the result}
+  ///     \cgalParamType{`Surfel_search`}
+  ///     \cgalParamDefault{`coarse_to_fine`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_control_points}
+  ///     \cgalParamDescription{the maximum number of control points. Paths of a few surfels have
+  ///       fewer, and paths across sharp edges can have more}
+  ///     \cgalParamType{`std::size_t`}
+  ///     \cgalParamDefault{75}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{node_weight}
+  ///     \cgalParamDescription{the weight \f$ \alpha \f$ of the control points' squared distances
+  ///       in the energy}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0.7}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{segment_weight}
+  ///     \cgalParamDescription{the weight \f$ \beta \f$ of the squared distances of the segments'
+  ///       midpoints in the energy}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0.7}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_threads}
+  ///     \cgalParamDescription{the number of threads}
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{1}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `Surfel_domain`, and Invalid_argument_error if a weight is negative
   template <typename NamedParameters = internal::Default_parameters>

@@ -79,25 +79,37 @@ public:
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{weights}
   ///     \cgalParamDescription{a weight for each distribution: not negative, not all zero}
-  ///     \cgalParamType{a range of numbers} \cgalParamDefault{1 for each} \cgalParamNEnd
+  ///     \cgalParamType{a range of numbers}
+  ///     \cgalParamDefault{1 for each}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{tolerance}
   ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
   ///       the iteration ends}
-  ///     \cgalParamType{`double`} \cgalParamDefault{0.01} \cgalParamNEnd
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0.01}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_number_of_iterations}
-  ///     \cgalParamDescription{the maximum number of iterations} \cgalParamType{`unsigned`}
-  ///     \cgalParamDefault{5,000} \cgalParamNEnd
+  ///     \cgalParamDescription{the maximum number of iterations}
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{5,000}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_normalize}
   ///     \cgalParamDescription{whether each distribution is scaled to a total mass of one}
-  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_start_from_last}
   ///     \cgalParamDescription{whether to start from the final state of the last call, which must
   ///       have had as many distributions; for example, if only weights change}
-  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
   ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the function
   ///       throws `Cancelled`}
-  ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
+  ///     \cgalParamType{`std::function<bool(double)>`}
+  ///     \cgalParamDefault{no callback}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns the cost of the barycenter with certified bounds
   /// \throws Invalid_argument_error if there is no distribution, if a mass is negative or not

@@ -77,10 +77,12 @@ public:
   /// \param np the named parameters of `make_domain()`, and
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{transport_flow} \cgalParamDescription{the particular flow}
+  ///   \cgalParamNBegin{transport_flow}
+  ///     \cgalParamDescription{the particular flow}
   ///     \cgalParamType{`Transport_flow`}
   ///     \cgalParamDefault{the one with the smaller distances: `gradient` if `k` is 0, otherwise
-  ///       `balanced`} \cgalParamNEnd
+  ///       `balanced`}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if no triangle has positive area
   template <typename NamedParameters = internal::Default_parameters>
@@ -122,18 +124,32 @@ public:
   ///   \cgalParamNBegin{tolerance}
   ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
   ///       the iteration ends}
-  ///     \cgalParamDefault{0.001} \cgalParamNEnd
-  ///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDefault{5,000} \cgalParamNEnd
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0.001}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_number_of_iterations}
+  ///     \cgalParamDescription{the maximum number of iterations}
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{5,000}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_normalize}
   ///     \cgalParamDescription{whether both distributions are scaled to a total mass of one}
-  ///     \cgalParamDefault{false} \cgalParamNEnd
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{false}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{flow_map}
   ///     \cgalParamDescription{receives the flow, a `Vector_3` for each face or surfel. If the cost
-  ///       is infinite, nothing is written} \cgalParamNEnd
+  ///       is infinite, nothing is written}
+  ///     \cgalParamType{a model of `WritablePropertyMap` with faces or surfels as keys and
+  ///       `Vector_3` as values}
+  ///     \cgalParamDefault{nothing is written}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that receives the fraction of the
-  ///       maximum number of iterations. If it returns `false`, the function throws `Cancelled`}
-  ///       \cgalParamNEnd
+  ///     \cgalParamDescription{a function that receives the fraction of the maximum number of
+  ///       iterations. If it returns `false`, the function throws `Cancelled`}
+  ///     \cgalParamType{`std::function<bool(double)>`}
+  ///     \cgalParamDefault{no callback}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Invalid_argument_error if a location is not on the surface, a mass is not finite, the
   ///         total masses differ, a total mass cannot be normalized, or the tolerance is not

@@ -76,19 +76,39 @@ public:
   ///   \cgalParamNBegin{tolerance}
   ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
   ///       the iteration ends}
-  ///     \cgalParamDefault{0.001} \cgalParamNEnd
-  ///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDefault{100} \cgalParamNEnd
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0.001}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_number_of_iterations}
+  ///     \cgalParamDescription{the maximum number of iterations}
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{100}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_bound_from_above}
   ///     \cgalParamDescription{whether `Earth_movers_cost::upper_continuous` is computed, which
-  ///       takes a few times as long} \cgalParamDefault{false} \cgalParamNEnd
+  ///       takes a few times as long}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{false}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{potential_map}
   ///     \cgalParamDescription{receives for each vertex the value of a function of slope one, which
-  ///       certifies a lower bound} \cgalParamNEnd
+  ///       certifies a lower bound}
+  ///     \cgalParamType{a model of `WritablePropertyMap` with vertices or surfels as keys and
+  ///       `double` as values}
+  ///     \cgalParamDefault{nothing is written}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{flow_map}
-  ///     \cgalParamDescription{receives the flow, a `Vector_3` for each face} \cgalParamNEnd
+  ///     \cgalParamDescription{receives the flow, a `Vector_3` for each face}
+  ///     \cgalParamType{a model of `WritablePropertyMap` with faces or surfels as keys and
+  ///       `Vector_3` as values}
+  ///     \cgalParamDefault{nothing is written}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that receives the fraction done. If
-  ///       it returns false, the iteration ends with the bounds so far} \cgalParamNEnd
+  ///     \cgalParamDescription{a function that receives the fraction done. If it returns false, the
+  ///       function throws `Cancelled`}
+  ///     \cgalParamType{`std::function<bool(double)>`}
+  ///     \cgalParamDefault{no callback}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `mean_value_coordinates()` for a point
   /// \throws Invalid_argument_error if the tolerance is not positive
@@ -125,12 +145,21 @@ public:
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{tolerance}
   ///     \cgalParamDescription{the maximum gap between the bounds, relative to the upper bound; the
-  ///       error of the value is at most half of it} \cgalParamDefault{0.02} \cgalParamNEnd
+  ///       error of the value is at most half of it}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0.02}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{number_of_threads}
-  ///     \cgalParamDescription{as for `geodesic_distance_matrix()`} \cgalParamNEnd
+  ///     \cgalParamDescription{as for `geodesic_distance_matrix()`}
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{the number of hardware threads}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that receives the fraction done. If
-  ///       it returns false, the function throws `Cancelled`} \cgalParamNEnd
+  ///     \cgalParamDescription{a function that receives the fraction done. If it returns false, the
+  ///       function throws `Cancelled`}
+  ///     \cgalParamType{`std::function<bool(double)>`}
+  ///     \cgalParamDefault{no callback}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns an `Earth_movers_cost` for each point, in their order, without `residual` and
   ///          `upper_continuous`
@@ -176,7 +205,9 @@ public:
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{maximum_number_of_iterations}
   ///     \cgalParamDescription{the maximum number of distance computations along the path}
-  ///     \cgalParamDefault{1,000} \cgalParamNEnd
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{1,000}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns whether the path reaches its end
   /// \throws Invalid_argument_error if a point is on the surface, or if the surface separates the

@@ -35,10 +35,16 @@ namespace CGAL::Geodesic_processing {
 /// \param np optional named parameters:
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{gutter_width} \cgalParamDescription{the width of the gutter in texels}
-///     \cgalParamDefault{4} \cgalParamNEnd
-///   \cgalParamNBegin{background} \cgalParamDescription{the `Decal_color` of all other texels}
-///     \cgalParamDefault{white and transparent} \cgalParamNEnd
+///   \cgalParamNBegin{gutter_width}
+///     \cgalParamDescription{the width of the gutter in texels}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{4}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{background}
+///     \cgalParamDescription{the color of all other texels}
+///     \cgalParamType{`Decal_color`}
+///     \cgalParamDefault{white and transparent}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the colors of `size * size` texels, in rows from bottom to top
 /// \throws Unsupported_surface_error if a face is not a triangle

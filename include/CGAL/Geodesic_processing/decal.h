@@ -246,8 +246,11 @@ struct Decal_texture
 ///        the texture.  The hypotenuse has equally many segments, which are longer
 /// \param np
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{background} \cgalParamDescription{the color of texels that no image covers}
-///     \cgalParamType{`Decal_color`} \cgalParamDefault{white and opaque} \cgalParamNEnd
+///   \cgalParamNBegin{background}
+///     \cgalParamDescription{the color of texels that no image covers}
+///     \cgalParamType{`Decal_color`}
+///     \cgalParamDefault{white and opaque}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error if `segments` is zero, or if the texture has more than
 ///         2<SUP>28</SUP> texels

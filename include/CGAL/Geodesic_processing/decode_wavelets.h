@@ -42,9 +42,11 @@ struct Wavelet_stream
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{maximum_number_of_vertices}
-///     \cgalParamDescription{the maximum number of vertices of the decoded mesh.  It protects
+///     \cgalParamDescription{the maximum number of vertices of the decoded mesh. It protects
 ///       against short damaged streams that encode arbitrarily many vertices}
-///     \cgalParamDefault{2<SUP>24</SUP>} \cgalParamNEnd
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{2<SUP>24</SUP>}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the extent to which the stream was decoded
 /// \throws Invalid_argument_error if the bytes are not a stream of vertex positions, if the base

@@ -24,10 +24,18 @@ namespace CGAL::Geodesic_processing {
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{potential_map}
 ///     \cgalParamDescription{receives for each vertex or surfel the potential that certifies the
-///       lower bound, a function of slope at most one} \cgalParamNEnd
+///       lower bound, a function of slope at most one}
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices or surfels as keys and
+///       `double` as values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{flow_map}
 ///     \cgalParamDescription{receives for each face or surfel the flow, a `Vector_3`: mass per unit
-///       length of a line across it} \cgalParamNEnd
+///       length of a line across it}
+///     \cgalParamType{a model of `WritablePropertyMap` with faces or surfels as keys and `Vector_3`
+///       as values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the distance with certified bounds
 /// \throws as `Earth_movers_solver` and its `compute()`

@@ -29,20 +29,41 @@ namespace CGAL::Geodesic_processing {
 ///         normals and a property `"radius"`, and its outliers are removed. They can be restored
 ///         until `collect_garbage()` is called.
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{point_map} \cgalParamDescription{the points of the elements of the range}
-///     \cgalParamDefault{the point map of a `Point_set_3`, otherwise the identity} \cgalParamNEnd
-///   \cgalParamNBegin{normal_map} \cgalParamDescription{receives unit vectors}
-///     \cgalParamDefault{the normal map of a `Point_set_3`} \cgalParamNEnd
-///   \cgalParamNBegin{radius_map} \cgalParamDescription{receives radii}
+///   \cgalParamNBegin{point_map}
+///     \cgalParamDescription{the points of the elements of the range}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of the range as keys and
+///       3D points as values}
+///     \cgalParamDefault{the point map of a `Point_set_3`, otherwise the identity}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{normal_map}
+///     \cgalParamDescription{receives unit vectors}
+///     \cgalParamType{a model of `WritablePropertyMap` with the elements of the range as keys and
+///       3D vectors as values}
+///     \cgalParamDefault{the normal map of a `Point_set_3`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{radius_map}
+///     \cgalParamDescription{receives radii}
+///     \cgalParamType{a model of `WritablePropertyMap` with the elements of the range as keys and
+///       `double` as values}
 ///     \cgalParamDefault{the property `"radius"` of a `Point_set_3`; for a range, radii are not
-///       written} \cgalParamNEnd
-///   \cgalParamNBegin{number_of_neighbors} \cgalParamDescription{the number of neighbors from which
-///     a normal is estimated, at least 6} \cgalParamDefault{18} \cgalParamNEnd
-///   \cgalParamNBegin{outlier_percentage} \cgalParamDescription{the percentage of the points that
-///     are outliers: the points farthest from their neighbors} \cgalParamDefault{0}
-///     \cgalParamNEnd
-///   \cgalParamNBegin{number_of_threads} \cgalParamDefault{one; all with `Parallel_tag`}
-///     \cgalParamNEnd
+///       written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_neighbors}
+///     \cgalParamDescription{the number of neighbors from which a normal is estimated, at least 6}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{18}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{outlier_percentage}
+///     \cgalParamDescription{the percentage of the points that are outliers: the points farthest
+///       from their neighbors}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_threads}
+///     \cgalParamDescription{the number of threads}
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{one; all with `Parallel_tag`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number of outliers. They are removed from a `Point_set_3`; in a range, their radius

@@ -97,27 +97,44 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{covering_radius}
 ///     \cgalParamDescription{sampling stops if the covering radius is at most this value}
-///     \cgalParamDefault{0} \cgalParamNEnd
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{first_samples}
 ///     \cgalParamDescription{a vertex, a surfel, a location, or a range of these: existing samples.
 ///       They are neither counted nor written to `samples`. In the labels they are numbered first.}
-///     \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamType{a vertex, a surfel, a location, or a range of these}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{selects the vertex from which the first sample is farthest}
-///     \cgalParamDefault{0} \cgalParamNEnd
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{speed_map, face_speed_map}
 ///     \cgalParamDescription{as for `Geodesic_distance_solver::compute()`: samples are denser in
 ///       regions of lower speed}
-///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
+///     \cgalParamType{as for `Geodesic_distance_solver::compute()`}
+///     \cgalParamDefault{1 everywhere}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{covering_radius_output}
 ///     \cgalParamDescription{an output iterator that takes the covering radius after each sample}
-///     \cgalParamNEnd
+///     \cgalParamType{a model of `OutputIterator` for `double`}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{source_label_map}
 ///     \cgalParamDescription{receives for each vertex or surfel the position of its nearest sample,
-///       or the largest `std::size_t` if no sample reaches it} \cgalParamNEnd
+///       or the largest `std::size_t` if no sample reaches it}
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices or surfels as keys and
+///       `std::size_t` as values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
+///     \cgalParamDescription{a function that is called with the fraction done. If it returns false,
+///       the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the output iterator past the last sample
 /// \throws Invalid_argument_error if a location, a speed or the covering radius is not usable

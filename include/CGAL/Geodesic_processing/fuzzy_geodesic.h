@@ -52,7 +52,9 @@ double fuzzy_width(double distance, const NamedParameters& np)
 ///   \cgalParamNBegin{width}
 ///     \cgalParamDescription{the standard deviation of the Gaussians, a length; it should be at
 ///       least an edge length}
-///     \cgalParamDefault{a twentieth of the distance from `p` to `q`} \cgalParamNEnd
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{a twentieth of the distance from `p` to `q`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the cost of transporting a unit mass
 /// \throws Invalid_argument_error if no path leads from `p` to `q`, or if the width is not
@@ -103,7 +105,9 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{width}
 ///     \cgalParamDescription{\f$ \sigma \f$, a length}
-///     \cgalParamDefault{a twentieth of the distance from `p` to `q`} \cgalParamNEnd
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{a twentieth of the distance from `p` to `q`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error as `fuzzy_geodesic()`
 /// \throws as `Geodesic_distance_solver::compute()`

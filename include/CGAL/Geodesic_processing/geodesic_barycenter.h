@@ -44,11 +44,16 @@ struct Geodesic_barycenter
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{weights}
 ///     \cgalParamDescription{a range of nonnegative numbers, one for each location, not all zero}
-///     \cgalParamDefault{1 each} \cgalParamNEnd
+///     \cgalParamType{a range of `double`}
+///     \cgalParamDefault{1 each}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{objective_map}
 ///     \cgalParamDescription{receives for each vertex or surfel the weighted sum of squared
 ///       distances: a `double`, +infinity if a location of positive weight does not reach it}
-///       \cgalParamNEnd
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices or surfels as keys and
+///       `double` as values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns a `Geodesic_barycenter`
 /// \throws Invalid_argument_error as `Geodesic_distance_solver::compute()`. Also if there is no

@@ -49,32 +49,51 @@ namespace CGAL::Geodesic_processing {
 ///       split in two. The result therefore has more cells than requested. If the surface has more
 ///       handles than `number`, centers are moved only after cells were added to obtain disks. Two
 ///       holes count as one handle}
-///     \cgalParamDefault{`false`} \cgalParamNEnd
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_iterations}
 ///     \cgalParamDescription{the maximum number of steps, and at most as many again after cells
 ///       were added to obtain disks. Iteration stops if a step decreases the energy by less than a
 ///       thousandth}
-///     \cgalParamDefault{20} \cgalParamNEnd
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{20}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{speed_map, face_speed_map}
 ///     \cgalParamDescription{as for `Geodesic_distance_solver::compute()`: cells are smaller in
 ///       regions of lower speed}
-///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
-///   \cgalParamNBegin{random_seed} \cgalParamDescription{as for `farthest_point_sampling()`}
-///     \cgalParamDefault{0} \cgalParamNEnd
+///     \cgalParamType{as for `Geodesic_distance_solver::compute()`}
+///     \cgalParamDefault{1 everywhere}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{as for `farthest_point_sampling()`}
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{center_output}
 ///     \cgalParamDescription{an output iterator that takes the center of each cell as
 ///       `Location<Surface>`}
-///     \cgalParamNEnd
+///     \cgalParamType{a model of `OutputIterator` for `Location<Surface>`}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{energy_output}
 ///     \cgalParamDescription{an output iterator that takes the energy at the start, after each
 ///       step, and after cells were added to obtain disks. Its unit is an area times a squared
-///       distance} \cgalParamNEnd
+///       distance}
+///     \cgalParamType{a model of `OutputIterator` for `double`}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{number of threads with `CGAL::Parallel_tag`}
-///     \cgalParamDefault{all hardware threads} \cgalParamNEnd
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{all hardware threads}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
+///     \cgalParamDescription{a function that is called with the fraction done. If it returns false,
+///       the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the number of cells
 /// \throws Invalid_argument_error if the number is zero or a speed is not usable

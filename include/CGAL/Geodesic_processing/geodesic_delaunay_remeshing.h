@@ -76,16 +76,22 @@ struct Remeshing_result
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{too_few_samples}
-///     \cgalParamDescription{a `Too_few_samples`}
-///     \cgalParamDefault{`Too_few_samples::refine`} \cgalParamNEnd
+///     \cgalParamDescription{the reaction to samples that are too few for the topology}
+///     \cgalParamType{`Too_few_samples`}
+///     \cgalParamDefault{`Too_few_samples::refine`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{first_samples}
 ///     \cgalParamDescription{a vertex, a location, or a range of these, which become the first
 ///       samples}
-///     \cgalParamDefault{none} \cgalParamNEnd
+///     \cgalParamType{a vertex, a surfel, a location, or a range of these}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{speed_map, face_speed_map}
 ///     \cgalParamDescription{as for `Geodesic_distance_solver::compute()`, but positive: triangles
 ///       are smaller in regions of lower speed}
-///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
+///     \cgalParamType{as for `Geodesic_distance_solver::compute()`}
+///     \cgalParamDefault{1 everywhere}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_relaxation_steps}
 ///     \cgalParamDescription{the number of Lloyd steps, which move samples to the centroids of
 ///       their cells and improve the shape of triangles. Each takes at most the time of one front
@@ -94,56 +100,84 @@ struct Remeshing_result
 ///       farthest point sampling. Finally, samples are moved slightly in the output triangulation.
 ///       From 30 steps on, cells are determined on smaller triangles, which takes up to twice the
 ///       time}
-///     \cgalParamDefault{0} \cgalParamNEnd
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{selects the vertex from which the first sample is farthest, and the
 ///       locations of stratified random samples}
-///     \cgalParamDefault{0} \cgalParamNEnd
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_deviation}
 ///     \cgalParamDescription{the maximum distance between input and output. It is measured from the
 ///       vertices of the input to the faces of the output. It is also measured from the centroids,
 ///       edge midpoints and vertices of the output's faces to the input. Vertices are added if a
 ///       distance is larger. Other locations on faces are not tested.}
-///     \cgalParamDefault{infinite} \cgalParamNEnd
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{infinite}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_fit}
 ///     \cgalParamDescription{whether vertices are moved off the surface to reduce the squared
 ///       distances of the input's vertices to the faces. They move by a fraction of the distance
 ///       between faces and surface. Vertices on the boundary and on kept edges are fixed.}
-///     \cgalParamDefault{`false`} \cgalParamNEnd
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_avoid_self_intersections}
 ///     \cgalParamDescription{whether vertices are added if faces intersect}
-///     \cgalParamDefault{`true`} \cgalParamNEnd
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{sharp_angle}
 ///     \cgalParamDescription{an angle in degrees. Edges whose dihedral angle deviates from flat by
 ///       at least this angle are kept. They form polylines, and each polyline becomes a chain of
 ///       edges through samples at equal spacing and at its corners}
-///     \cgalParamDefault{180: no edge is sharp} \cgalParamNEnd
+///     \cgalParamType{`double`, in degrees}
+///     \cgalParamDefault{180: no edge is sharp}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{a property map that states for each edge of the input whether it is
 ///       kept in the same way. Supported for a mesh, but not for its domain}
-///     \cgalParamDefault{no edge is constrained} \cgalParamNEnd
+///     \cgalParamType{a model of `ReadablePropertyMap` with edges of the mesh as keys and `bool` as
+///       values}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{curve_spacing}
 ///     \cgalParamDescription{the approximate maximum distance between adjacent samples on the
 ///       boundary and on kept edges. It is approximate because each piece between two corners has
 ///       equal spacing. More samples are added if it exceeds the distance between samples
 ///       elsewhere.}
-///     \cgalParamDefault{0: the distance between samples elsewhere} \cgalParamNEnd
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0: the distance between samples elsewhere}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_spacing_map}
 ///     \cgalParamDescription{the spacing for each edge of the input, used if the edge is kept; 0
 ///       selects `curve_spacing`. Supported for a mesh, but not for its domain}
-///     \cgalParamDefault{0 for all edges} \cgalParamNEnd
+///     \cgalParamType{a model of `ReadablePropertyMap` with edges of the mesh as keys and `double`
+///       as values}
+///     \cgalParamDefault{0 for all edges}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{location_map}
 ///     \cgalParamDescription{receives for each vertex of the output the `Location<Surface>` of its
 ///       sample}
-///     \cgalParamNEnd
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices of the output as keys and
+///       `Location<Surface>` as values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_path_output}
 ///     \cgalParamDescription{an output iterator that takes, for each edge of the output, a pair of
 ///       the edge and a `Surface_path`. The path leads from the edge's source to its target. It is
 ///       locally shortest}
-///     \cgalParamNEnd
+///     \cgalParamType{a model of `OutputIterator` for pairs of an edge and a `Surface_path`}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
+///     \cgalParamDescription{a function that is called with the fraction done. If it returns false,
+///       the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns a summary of the result
 /// \throws Invalid_argument_error if a location or a speed is not usable, or if a nonzero number is

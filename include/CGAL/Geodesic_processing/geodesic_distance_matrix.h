@@ -83,19 +83,25 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{targets}
 ///     \cgalParamDescription{a vertex, a surfel, a location, or a range of them: the columns}
+///     \cgalParamType{a vertex, a surfel, a location, or a range of these}
 ///     \cgalParamDefault{the sources, which then must be vertices, surfels or locations}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_distance}
 ///     \cgalParamDescription{targets farther than this distance are not reached}
+///     \cgalParamType{`double`}
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{the number of threads, used with `Parallel_tag`}
-///     \cgalParamDefault{the number of hardware threads} \cgalParamNEnd
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{the number of hardware threads}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the completed
-///       fraction, by one thread at a time; if it returns false, the function throws `Cancelled`}
-///       \cgalParamNEnd
+///     \cgalParamDescription{a function that is called with the completed fraction, by one thread
+///       at a time; if it returns false, the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// and `speed_map`, `face_speed_map` and `relative_tolerance` as for
 /// `Geodesic_distance_solver::compute()`.

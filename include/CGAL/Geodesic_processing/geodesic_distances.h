@@ -25,12 +25,20 @@ namespace CGAL::Geodesic_processing {
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{source_label_map}
 ///     \cgalParamDescription{receives the label of the nearest source for each vertex or surfel.
-///       The default label of a source is its position in the range.  If no source reaches the
-///       vertex or surfel, the label is the largest `std::size_t`} \cgalParamNEnd
+///       The default label of a source is its position in the range. If no source reaches the
+///       vertex or surfel, the label is the largest `std::size_t`}
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices or surfels as keys and
+///       `std::size_t` as values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{predecessor_map}
 ///     \cgalParamDescription{receives, for each vertex or surfel, a neighbor that is closer to the
-///       source and next to which the shortest path arrives.  At sources, and if no source reaches
-///       the vertex or surfel, it receives the vertex or surfel itself} \cgalParamNEnd
+///       source and next to which the shortest path arrives. At sources, and if no source reaches
+///       the vertex or surfel, it receives the vertex or surfel itself}
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices or surfels as keys and
+///       vertices or surfels as values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws as `make_domain()` and `Geodesic_distance_solver::compute()`
 ///

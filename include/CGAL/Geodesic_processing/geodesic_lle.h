@@ -42,6 +42,7 @@ namespace CGAL::Geodesic_processing {
 ///   \cgalParamNBegin{number_of_base_points}
 ///     \cgalParamDescription{from 3 to 1,000; if there are fewer vertices or surfels, all of them
 ///       are base points}
+///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{200. On a narrow mesh up to 1,000, if the spacing of 200 base points would
 ///       exceed its mean width. The mean width is twice the area divided by the length of the
 ///       boundary}
@@ -50,17 +51,26 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDescription{a range of different vertices or surfels that replace the farthest
 ///       point samples. An example is the output of `farthest_vertex_sampling()` with
 ///       `curvature_speeds()`, which is denser in regions of high curvature}
-///     \cgalParamNEnd
+///     \cgalParamType{a range of vertices or surfels}
+///     \cgalParamDefault{farthest point samples}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_neighbors}
 ///     \cgalParamDescription{the number of neighbors of each base point, at least 3. If base points
 ///       would form disconnected groups, it is increased by at most a quarter}
-///     \cgalParamDefault{10} \cgalParamNEnd
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{10}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{as for `farthest_vertex_sampling()`} \cgalParamDefault{0}
-///       \cgalParamNEnd
+///     \cgalParamDescription{as for `farthest_vertex_sampling()`}
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
+///     \cgalParamDescription{a function that is called with the fraction done. If it returns false,
+///       the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns the base points

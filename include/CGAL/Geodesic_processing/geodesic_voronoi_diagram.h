@@ -104,10 +104,16 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{face_label_map}
 ///     \cgalParamDescription{receives for each face the label of the cell that contains its
-///       centroid; the largest `std::size_t` unless all of its vertices are reached} \cgalParamNEnd
+///       centroid; the largest `std::size_t` unless all of its vertices are reached}
+///     \cgalParamType{a model of `WritablePropertyMap` with faces as keys and `std::size_t` as
+///       values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{bisector_output}
 ///     \cgalParamDescription{an output iterator that takes all bisectors as `Voronoi_bisector`}
-///     \cgalParamNEnd
+///     \cgalParamType{a model of `OutputIterator` for `Voronoi_bisector`}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws as `Geodesic_distance_solver::compute()`
 ///

@@ -128,20 +128,31 @@ public:
   /// \param base a vertex, a surfel or a location
   /// \param np
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{maximum_distance} \cgalParamDescription{vertices or surfels farther than
-  ///     this distance are outside the map.  `Discrete_exponential` measures it along edge paths}
-  ///     \cgalParamDefault{infinity} \cgalParamNEnd
-  ///   \cgalParamNBegin{up_direction} \cgalParamDescription{a vector in space; the second axis of
-  ///     the map is its projection to the tangent plane} \cgalParamDefault{not given: the first
-  ///     axis points along the first edge at the base point} \cgalParamNEnd
-  ///   \cgalParamNBegin{stencil_length} \cgalParamDescription{the distance from the base point to
-  ///     the stencil from which `Gradient` measures distances.  A longer stencil reduces both noise
-  ///     and detail}
+  ///   \cgalParamNBegin{maximum_distance}
+  ///     \cgalParamDescription{vertices or surfels farther than this distance are outside the map.
+  ///       `Discrete_exponential` measures it along edge paths}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{infinity}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{up_direction}
+  ///     \cgalParamDescription{a vector in space; the second axis of the map is its projection to
+  ///       the tangent plane}
+  ///     \cgalParamType{a 3D vector of any kernel}
+  ///     \cgalParamDefault{not given: the first axis points along the first edge at the base point}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{stencil_length}
+  ///     \cgalParamDescription{the distance from the base point to the stencil from which
+  ///       `Gradient` measures distances. A longer stencil reduces both noise and detail}
+  ///     \cgalParamType{`double`}
   ///     \cgalParamDefault{on a mesh, 0.6 to 4 mean lengths of the edges at the base point: 0.6 if
   ///       the mean angle between adjacent normals is at least a third of a radian, 4 in flat
-  ///       regions.  On a cloud, 2.5 mean lengths} \cgalParamNEnd
-  ///   \cgalParamNBegin{stencil_size} \cgalParamDescription{the number of locations of the stencil}
-  ///     \cgalParamDefault{8} \cgalParamNEnd
+  ///       regions. On a cloud, 2.5 mean lengths}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{stencil_size}
+  ///     \cgalParamDescription{the number of locations of the stencil}
+  ///     \cgalParamType{`std::size_t`}
+  ///     \cgalParamDefault{8}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Invalid_argument_error if the base point is an isolated vertex, a length is negative
   ///         or not a number, the stencil size is less than three, or the direction is normal to

@@ -53,12 +53,17 @@ struct Distortion_minimum
 /// \param np parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDescription{maximum number of Newton
-///     steps}
-///     \cgalParamDefault{200} \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_iterations}
+///     \cgalParamDescription{maximum number of Newton steps}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{200}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
+///     \cgalParamDescription{a function that is called with the fraction done. If it returns false,
+///       the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the numbers of inverted faces and of steps, and the energy
 /// \throws Unsupported_surface_error if the mesh is not connected, has no boundary, has handles, or

@@ -60,10 +60,14 @@ double ball_radius(const NamedParameters& np)
 ///   \cgalParamNBegin{ball_radius}
 ///     \cgalParamDescription{the radius of the ball; on a cloud, it is enlarged if the ball has too
 ///       few surfels for the fit}
-///     \cgalParamDefault{three times the mean length of the incident edges} \cgalParamNEnd
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{three times the mean length of the incident edges}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{the number of threads, used with `Parallel_tag`}
-///     \cgalParamDefault{the number of hardware threads} \cgalParamNEnd
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{the number of hardware threads}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error if the radius is negative or not a number
 ///

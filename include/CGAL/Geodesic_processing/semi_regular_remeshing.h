@@ -54,17 +54,25 @@ struct Semi_regular_result
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{subdivision_scheme}
-///     \cgalParamDescription{a `Subdivision_scheme`}
-///     \cgalParamDefault{`Subdivision_scheme::triangles`} \cgalParamNEnd
+///     \cgalParamDescription{the refinement pattern}
+///     \cgalParamType{`Subdivision_scheme`}
+///     \cgalParamDefault{`Subdivision_scheme::triangles`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_deviation}
 ///     \cgalParamDescription{for triangles only: refinement stops early once each vertex of the
 ///       mesh is within this distance of the point with the same base coordinates. The remaining
 ///       distance is returned as `deviation`}
-///     \cgalParamDefault{all levels} \cgalParamNEnd
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{all levels}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{level_map}
 ///     \cgalParamDescription{receives for each vertex of the output the level that adds it. Level 0
 ///       contains the base vertices and, for quads, also the vertices that the first split into
-///       three adds} \cgalParamNEnd
+///       three adds}
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices of the output as keys and
+///       `std::size_t` as values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error as `Base_parameterization`; also if there would be more than
 ///         2<SUP>31</SUP> halfedges, and if quads are combined with a maximum deviation

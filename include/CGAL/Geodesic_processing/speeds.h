@@ -67,6 +67,7 @@ double strength(const NamedParameters& np, double default_strength)
 ///   \cgalParamNBegin{strength}
 ///     \cgalParamDescription{the factor of the curvature in the speed; if it is 0, all speeds are
 ///       1}
+///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1 / (4 sqrt(pi)), about 0.14: if the curvature is that of a sphere of the
 ///       same area, the speed is 1/2 with `Edge_attractive` and 2 with `Edge_repulsive`}
 ///   \cgalParamNEnd
@@ -151,8 +152,10 @@ void similar_curvature_speeds(const Surface& surface, Vertex vertex, SpeedMap sp
 ///   \cgalParamNBegin{strength}
 ///     \cgalParamDescription{the factor of the relative gradient in the speed; if it is 0, all
 ///       speeds are 1}
+///     \cgalParamType{`double`}
 ///     \cgalParamDefault{20: at the maximum gradient, samples are 21 times closer to each other
-///       than in constant regions of the image} \cgalParamNEnd
+///       than in constant regions of the image}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error if a value of the image is not finite, or the strength is
 ///         negative or not finite

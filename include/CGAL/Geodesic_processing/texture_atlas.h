@@ -60,28 +60,52 @@ struct Texture_atlas
 /// \param np parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{texture_size} \cgalParamDescription{texels along each edge of the texture, at
-///     least 16; the unit of the gutter} \cgalParamDefault{1024} \cgalParamNEnd
-///   \cgalParamNBegin{gutter_width} \cgalParamDescription{minimum number of texels between two
-///     charts along one of the axes. Half as many are kept at the boundary of the texture. Bilinear
-///     lookup needs three}
-///     \cgalParamDefault{4} \cgalParamNEnd
-///   \cgalParamNBegin{chart_map} \cgalParamDescription{a property map that receives the index of
-///     the chart of each face, starting at 0} \cgalParamNEnd
-///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDescription{maximum number of steps
-///     of the tessellation}
-///     \cgalParamDefault{5} \cgalParamNEnd
-///   \cgalParamNBegin{speed_map, face_speed_map} \cgalParamDescription{as for
-///     `Geodesic_distance_solver::compute()`: charts are smaller in regions of lower speed}
-///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
-///   \cgalParamNBegin{random_seed} \cgalParamDescription{as for `farthest_point_sampling()`}
-///     \cgalParamDefault{0} \cgalParamNEnd
+///   \cgalParamNBegin{texture_size}
+///     \cgalParamDescription{texels along each edge of the texture, at least 16; the unit of the
+///       gutter}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{1024}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{gutter_width}
+///     \cgalParamDescription{minimum number of texels between two charts along one of the axes.
+///       Half as many are kept at the boundary of the texture. Bilinear lookup needs three}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{4}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{chart_map}
+///     \cgalParamDescription{a property map that receives the index of the chart of each face,
+///       starting at 0}
+///     \cgalParamType{a model of `WritablePropertyMap` with faces as keys and `std::size_t` as
+///       values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_iterations}
+///     \cgalParamDescription{maximum number of steps of the tessellation}
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{5}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{speed_map, face_speed_map}
+///     \cgalParamDescription{as for `Geodesic_distance_solver::compute()`: charts are smaller in
+///       regions of lower speed}
+///     \cgalParamType{as for `Geodesic_distance_solver::compute()`}
+///     \cgalParamDefault{1 everywhere}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{as for `farthest_point_sampling()`}
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{number of threads with `CGAL::Parallel_tag`}
-///     \cgalParamDefault{all hardware threads} \cgalParamNEnd
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{all hardware threads}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
-///       If it returns false, the function throws `Cancelled`} \cgalParamNEnd
+///     \cgalParamDescription{a function that is called with the fraction done. If it returns false,
+///       the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns a summary with the certificate of injectivity
 /// \throws Invalid_argument_error if a number is zero or out of range, a speed is not usable, or
