@@ -62,6 +62,12 @@ private:
 ///
 /// writes a `Source` for each boundary cycle of a triangle mesh: a closed polyline. O(n + b log b)
 /// for b halfedges on the boundary.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam OutputIterator a model of `OutputIterator` for `Source<TriangleMesh>`
+/// \param mesh the mesh
+/// \param out receives the sources, in the order of the halfedges
+/// \returns the output iterator past the last source
 template <typename TriangleMesh, typename OutputIterator>
 OutputIterator border_sources(const TriangleMesh& mesh, OutputIterator out)
 {

@@ -27,6 +27,10 @@ namespace CGAL::Geodesic_processing {
 /// Texels outside of a chart, up to half of the gutter away, get the color of the closest location
 /// on the chart. The background is therefore not visible if adjacent texels are interpolated.
 ///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam UVMap a model of `ReadablePropertyMap` with vertices or halfedges as keys and `Point_2`
+///         or arrays of two numbers as values
+/// \tparam Color a function object
 /// \param mesh a triangle mesh
 /// \param corner_uv_map texture coordinates of halfedges, as `texture_atlas()` writes them
 /// \param color a function that is called with a `Polygon_mesh_processing::Face_location` and

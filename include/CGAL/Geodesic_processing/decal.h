@@ -201,10 +201,15 @@ inline Vec2 interpolate(const std::array<Vec2, 3>& corners,
 ///
 /// Composites an image over the colors of the vertices or surfels that the decal covers.
 ///
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Image a function object
+/// \tparam ColorMap a model of `ReadWritePropertyMap` with vertices or surfels as keys
 /// \param decal the placement of the image
 /// \param image a function with the signature of `Decal_image`
 /// \param color_map a read-write property map of colors, which are updated.  Its value type is
 ///        `CGAL::IO::Color`, `Decal_color` or `std::array<double, 3>`
+///
+/// O(m) for m vertices or surfels of the decal.
 template <typename Surface, typename Image, typename ColorMap>
 void composite_decal(const Decal<Surface>& decal, const Image& image, ColorMap color_map)
 {
@@ -241,6 +246,7 @@ struct Decal_texture
 /// Composites several images into one texture of the mesh.  Later layers are drawn over earlier
 /// ones.
 ///
+/// \tparam TriangleMesh a model of `FaceListGraph`
 /// \param layers images placed on the same mesh, from the lowest layer to the highest
 /// \param segments the length, in texels, of the two legs of each covered face's right triangle in
 ///        the texture.  The hypotenuse has equally many segments, which are longer
@@ -252,8 +258,11 @@ struct Decal_texture
 ///     \cgalParamDefault{white and opaque}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \returns the texture, and the coordinates of each covered face in it
 /// \throws Invalid_argument_error if `segments` is zero, or if the texture has more than
 ///         2<SUP>28</SUP> texels
+///
+/// O(s<SUP>2</SUP> f) for s segments and f covered faces of all layers.
 template <typename TriangleMesh, typename NamedParameters = internal::Default_parameters>
 Decal_texture<TriangleMesh> bake_decals(const std::vector<Decal_layer<TriangleMesh>>& layers,
                                         std::size_t segments,

@@ -37,6 +37,8 @@ struct Wavelet_stream
 /// Damaged bytes are detected by checksums; then only the bit planes before them are used.  Damage
 /// in a truncated bit plane can remain undetected, but vertices are always finite.
 ///
+/// \tparam ByteRange a range of `std::uint8_t`
+/// \tparam OutputMesh a model of `MutableFaceGraph`
 /// \param bytes a contiguous range of `std::uint8_t`
 /// \param output the mesh to which the result is added, a model of `MutableFaceGraph`
 /// \param np

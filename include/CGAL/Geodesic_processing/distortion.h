@@ -103,11 +103,17 @@ Vec2 image_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const M
 ///
 /// Computes the distortion of a face by a map to the plane.
 ///
+/// \tparam Mesh a model of `FaceListGraph`
+/// \tparam UVMap a model of `ReadablePropertyMap` with vertices or halfedges as keys and `Point_2`
+///         or arrays of two numbers as values
 /// \param face a triangle of `mesh`
 /// \param mesh a model of `FaceListGraph`
 /// \param uv_map the UV map: a property map of vertices or of halfedges. For a halfedge it gives
 ///        the image of the corner that the halfedge points to. Values are `Point_2` or arrays.
 /// \param np `vertex_point_map`
+/// \returns the singular values of the map, the area of the face, and whether its image is inverted
+///
+/// O(1).
 template <typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters>
 Face_distortion face_distortion(typename boost::graph_traits<Mesh>::face_descriptor face,
                                 const Mesh& mesh, UVMap uv_map,
@@ -154,11 +160,16 @@ struct Mesh_distortion
 ///
 /// Computes the integral, the mean and the maximum of a distortion measure over a mesh.
 ///
+/// \tparam Mesh a model of `FaceListGraph`
+/// \tparam UVMap a model of `ReadablePropertyMap` with vertices or halfedges as keys and `Point_2`
+///         or arrays of two numbers as values
+/// \tparam Measure a function object, or a pointer to a member of `Face_distortion`
 /// \param mesh a triangle mesh
 /// \param uv_map as for `face_distortion()`. If a corner of a face has NaN coordinates, the face is
 ///        ignored. These are the faces outside of the domain of a logarithmic map.
 /// \param measure a function of a `Face_distortion`, such as `&Face_distortion::conformal`
 /// \param np `vertex_point_map`
+/// \returns the integral, the maximum and the numbers of faces
 ///
 /// O(n).
 template <typename Mesh, typename UVMap, typename Measure,
@@ -215,9 +226,13 @@ struct Flattening_distortion
 /// Faces without area are ignored. If the image of any other face has no area, the means are
 /// infinite.
 ///
+/// \tparam Mesh a model of `FaceListGraph`
+/// \tparam UVMap a model of `ReadablePropertyMap` with vertices or halfedges as keys and `Point_2`
+///         or arrays of two numbers as values
 /// \param mesh a triangle mesh
 /// \param uv_map as for `mesh_distortion()`
 /// \param np `vertex_point_map`
+/// \returns the distortion in several measures
 ///
 /// O(n).
 template <typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters>

@@ -17,6 +17,8 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
+/// \tparam From a mass distribution as accepted by `Earth_movers_solver`
+/// \tparam To a mass distribution as accepted by `Earth_movers_solver`
 /// \param surface the surface on which masses move
 /// \param from, to mass distributions as accepted by `Earth_movers_solver`
 /// \param np named parameters of `Earth_movers_solver` and its `compute()`, and the following

@@ -28,6 +28,8 @@ namespace CGAL::Geodesic_processing {
 /// \tparam Points a `Point_set_3`, or any range with writable property maps. A `Point_set_3` gets
 ///         normals and a property `"radius"`, and its outliers are removed. They can be restored
 ///         until `collect_garbage()` is called.
+/// \param points the points
+/// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{point_map}
 ///     \cgalParamDescription{the points of the elements of the range}
@@ -72,6 +74,8 @@ namespace CGAL::Geodesic_processing {
 ///         6, or the percentage is not in [0, 100]
 /// \throws Unsupported_surface_error if the number of remaining points does not exceed the number
 ///         of neighbors
+///
+/// O(n log n) for n points.
 template <typename Concurrency_tag = Sequential_tag, typename Points,
           typename NamedParameters = internal::Default_parameters>
 std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedParameters())

@@ -19,6 +19,8 @@ namespace CGAL::Geodesic_processing {
 /// Beyond the injectivity radius, the geodesic continues straight, although it is not necessarily a
 /// shortest path.  If it reaches the boundary, the point on the boundary is returned.
 ///
+/// \tparam Mesh a model of `FaceListGraph`, or its domain
+/// \tparam Place a vertex or a `Location<Mesh>`
 /// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; clouds are not supported
 /// \param base a vertex or a location
 /// \param vector a vector in the tangent plane of `base`

@@ -88,6 +88,8 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
 /// fewer samples than requested are returned.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam OutputIterator a model of `OutputIterator` for `Location<Surface>`
 /// \param surface as for `geodesic_distances()`
 /// \param number the number of samples to add. With `std::numeric_limits<std::size_t>::max()`,
 ///        samples are added until the covering radius is reached
@@ -160,11 +162,15 @@ OutputIterator farthest_point_sampling(const Surface& surface, std::size_t numbe
 ///
 /// Distributes samples as `farthest_point_sampling()`, but only at vertices or surfels.
 ///
+/// \tparam Method as for `farthest_point_sampling()`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam OutputIterator a model of `OutputIterator` for vertices or surfels
 /// \param surface as for `farthest_point_sampling()`
 /// \param number as for `farthest_point_sampling()`
 /// \param vertices an output iterator that takes vertex descriptors, or indices of surfels
 /// \param np as for `farthest_point_sampling()`
 /// \returns the output iterator past the last sample
+/// \throws as `farthest_point_sampling()`
 template <typename Method = Euclidean_front, typename Surface, typename OutputIterator,
           typename NamedParameters = internal::Default_parameters>
 OutputIterator farthest_vertex_sampling(const Surface& surface, std::size_t number,

@@ -23,6 +23,9 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
+/// \tparam Feature as `Region` of `Region_transport_solver`
+/// \tparam DistanceMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+///         `double` as values
 /// \param surface a mesh or a cloud
 /// \param feature as the region of `Region_transport_solver`
 /// \param distance_map receives a `double` for each vertex or surfel; infinity if no path leads to

@@ -43,6 +43,10 @@ double fuzzy_width(double distance, const NamedParameters& np)
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
+/// \tparam P a vertex, a surfel or a `Location<Surface>`
+/// \tparam Q a vertex, a surfel or a `Location<Surface>`
+/// \tparam LikelihoodMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+///         `double` as values
 /// \param surface a mesh or a cloud
 /// \param p, q two vertices, surfels or locations
 /// \param likelihood_map receives a `double` from 0 to 1 for each vertex or surfel
@@ -98,6 +102,10 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
 ///
 /// \tparam Method the distance method, as for `geodesic_distances()`
 /// \tparam Surface as for `geodesic_distances()`
+/// \tparam P a vertex, a surfel or a `Location<Surface>`
+/// \tparam Q a vertex, a surfel or a `Location<Surface>`
+/// \tparam LikelihoodMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+///         `double` as values
 /// \param surface a mesh or a cloud
 /// \param p, q two vertices, surfels or locations
 /// \param likelihood_map receives a `double` from 0 to 1 for each vertex or surfel
@@ -111,6 +119,8 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error as `fuzzy_geodesic()`
 /// \throws as `Geodesic_distance_solver::compute()`
+///
+/// Takes two distance computations.
 template <typename Method = Automatic, typename Surface, typename P, typename Q,
           typename LikelihoodMap, typename NamedParameters = internal::Default_parameters>
 void fuzzy_geodesic_by_distances(const Surface& surface, const P& p, const Q& q,

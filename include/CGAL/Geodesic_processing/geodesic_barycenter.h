@@ -36,6 +36,7 @@ struct Geodesic_barycenter
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Surface as for `geodesic_distances()`
+/// \tparam Locations a range of vertices, surfels, locations or `Source`s
 /// \param surface the surface on which distances are measured
 /// \param locations a nonempty range of vertices (or surfels), locations or `Source`s
 /// \param np parameters of `make_domain()`, `speed_map` and `face_speed_map` as for

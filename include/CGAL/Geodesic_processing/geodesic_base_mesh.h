@@ -23,6 +23,11 @@ namespace CGAL::Geodesic_processing {
 /// vertices and from each other, so they meet in base vertices only. The genus, boundary cycles and
 /// connected components are the same as for the mesh.
 ///
+/// \tparam TriangleMesh a model of `FaceListGraph`, or its domain
+/// \tparam BaseMesh a model of `MutableFaceGraph`
+/// \tparam DividedMesh a model of `MutableFaceGraph`
+/// \tparam BaseFaceMap a model of `WritablePropertyMap` with faces of `DividedMesh` as keys and
+///         faces of `BaseMesh` as values
 /// \param mesh a model of `FaceListGraph`, all of whose faces are triangles, or its domain
 /// \param number the number of base vertices; 0 requests the minimum that the topology requires
 /// \param base a model of `MutableFaceGraph`, to which base vertices and faces are added
@@ -32,6 +37,8 @@ namespace CGAL::Geodesic_processing {
 /// \param np as for `Base_parameterization`
 /// \returns a summary of the result
 /// \throws as `Base_parameterization`
+///
+/// The time is that of `Base_parameterization`.
 template <typename TriangleMesh, typename BaseMesh, typename DividedMesh, typename BaseFaceMap,
           typename NamedParameters = internal::Default_parameters>
 Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number, BaseMesh& base,

@@ -34,6 +34,9 @@ namespace CGAL::Geodesic_processing {
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`, which
 ///         processes several cells at a time, with the same result
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam LabelMap a model of `WritablePropertyMap` with faces of the mesh or surfels as keys and
+///         `std::size_t` as values
 /// \param surface as for `geodesic_distances()`
 /// \param number the number of cells. There are fewer if the surface does not have as many
 ///        different locations. A component without a center is in no cell

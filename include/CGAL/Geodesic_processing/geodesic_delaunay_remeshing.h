@@ -68,6 +68,8 @@ struct Remeshing_result
 /// topology of the input. If the input has too few vertices to separate cells, its edges are split
 /// at their midpoints as often as necessary. This does not change the surface.
 ///
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam OutputMesh a model of `MutableFaceGraph`
 /// \param surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
 ///        `SurfelRange`, or the domain of one
 /// \param number the number of vertices; 0 requests the minimum that the topology requires

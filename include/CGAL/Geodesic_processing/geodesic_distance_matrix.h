@@ -76,6 +76,8 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several
 ///         sources are processed at a time, by one solver per thread.  Both give bitwise equal
 ///         results.
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Sources a range of vertices, surfels, locations or `Source`s
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
 /// \param np the named parameters of `make_domain()`, and
@@ -126,6 +128,8 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Concurrency_tag as for `geodesic_distance_matrix()`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Vertices a range of vertices or surfels
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param vertices a range of distinct vertices or surfels; row and column `i` belong to the `i`-th
 ///        one
@@ -139,6 +143,8 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 /// \throws Cancelled if the callback returns false
 ///
 /// Time and memory are proportional to the number of vertices or surfels that the fronts visit.
+///
+/// Takes time proportional to the number of vertices that the fronts visit, for all rows together.
 template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag, typename Surface,
           typename Vertices, typename NamedParameters = internal::Default_parameters>
 Eigen::SparseMatrix<double, Eigen::RowMajor>

@@ -16,6 +16,9 @@ namespace CGAL::Geodesic_processing {
 ///         `Automatic` is `Exact`
 /// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
 ///         `SurfelRange`, or a domain made by `make_domain()`
+/// \tparam Sources a vertex, a surfel, a location, a `Source`, or a range of one of these
+/// \tparam DistanceMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+///         floating point numbers as values
 /// \param surface the surface on which distances are measured
 /// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
 /// \param distance_map a writable property map that receives the distance of each vertex or surfel,

@@ -32,6 +32,9 @@ namespace CGAL::Geodesic_processing {
 /// see `minimize_distortion()`.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam UVMap a model of `WritablePropertyMap` with vertices or surfels as keys and `Point_2` or
+///         arrays of two numbers as values
 /// \param surface as for `geodesic_distances()`: connected, possibly with holes
 /// \param uv_map receives the image of each vertex or surfel: a `Point_2` or an array of two
 ///        numbers, in the unit of the surface. Vertices without faces and surfels without neighbors

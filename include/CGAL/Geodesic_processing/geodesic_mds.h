@@ -26,6 +26,16 @@ namespace CGAL::Geodesic_processing {
 /// `number_of_neighbors` is not used. The default number of base points is 200.
 ///
 /// Propagates two fronts over the whole surface for each base point.
+///
+/// \tparam Method as for `geodesic_lle()`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam UVMap a model of `WritablePropertyMap` with vertices or surfels as keys and `Point_2` or
+///         arrays of two numbers as values
+/// \param surface as for `geodesic_lle()`
+/// \param uv_map as for `geodesic_lle()`
+/// \param np as for `geodesic_lle()`
+/// \returns the base points
+/// \throws as `geodesic_lle()`
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
 std::vector<typename internal::Surface_traits<Surface_of<Surface>>::Vertex>

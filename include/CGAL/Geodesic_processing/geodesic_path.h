@@ -20,12 +20,19 @@ namespace CGAL::Geodesic_processing {
 /// `Surface_path::front_distance` by at most the error of the method.  On a cloud, the path consists
 /// of surfels.
 ///
+/// \tparam Method as for `geodesic_distances()`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam QueryLocation a vertex, a surfel or a `Location<Surface>`
+/// \tparam Sources as for `geodesic_distances()`
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param from a vertex, a surfel or a location
 /// \param to a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
 /// \param np the named parameters of `geodesic_distances()`
 /// \returns the path; empty if no source can be reached
 /// \throws as `Geodesic_distance_solver::compute()`
+///
+/// Takes one distance computation that stops at `from`, and time proportional to the length of the
+/// path.
 template <typename Method = Automatic, typename Surface, typename QueryLocation, typename Sources,
           typename NamedParameters = internal::Default_parameters>
 Surface_path<Surface_of<Surface>> geodesic_path(const Surface& surface, const QueryLocation& from,

@@ -92,6 +92,10 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
 /// most n/4 seeds.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Seeds as `Sources` of `geodesic_distances()`
+/// \tparam LabelMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+///         `std::size_t` as values
 /// \param surface as for `geodesic_distances()`; on a cloud only labels of surfels are available
 /// \param seeds a vertex, a surfel, a location, a `Source`, or a nonempty range of one of these;
 ///        seeds with the same label share a cell
@@ -171,6 +175,11 @@ void geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
 /// are created.
 ///
 /// \tparam Method as for `geodesic_voronoi_diagram()`
+/// \tparam Surface a model of `FaceListGraph`, or its domain
+/// \tparam Seeds as `Sources` of `geodesic_distances()`
+/// \tparam TriangleMesh a model of `MutableFaceGraph`
+/// \tparam FaceLabelMap a model of `WritablePropertyMap` with faces of `TriangleMesh` as keys and
+///         `std::size_t` as values
 /// \param mesh as for `geodesic_distances()`, but not a cloud
 /// \param seeds as for `geodesic_voronoi_diagram()`
 /// \param cells a model of `MutableFaceGraph` to which vertices and faces are added

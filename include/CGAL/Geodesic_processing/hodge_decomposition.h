@@ -24,6 +24,11 @@ namespace CGAL::Geodesic_processing {
 /// On each component, the harmonic fields have dimension 2 genus + max(boundary loops - 1, 0).
 /// \cgalCite{cgal:pp-ivfs-03}
 ///
+/// \tparam Mesh a model of `FaceListGraph`, or its domain
+/// \tparam Field a model of `ReadablePropertyMap` with faces as keys and vectors as values
+/// \tparam GradientMap a model of `WritablePropertyMap` with faces as keys and `Vector_3` as values
+/// \tparam RotationMap as `GradientMap`
+/// \tparam HarmonicMap as `GradientMap`
 /// \param mesh a model of `FaceListGraph` or a `Mesh_domain`. A cloud is not supported, because it
 ///        lacks the edges.
 /// \param field a readable map of a `Vector_3` for each face; the normal component is ignored

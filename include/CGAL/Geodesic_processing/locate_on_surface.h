@@ -68,10 +68,15 @@ private:
 /// returns the location on a surface that is closest to a point in space. For many points, use a
 /// `Surface_locator`.
 ///
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Point a `Point_3` of any kernel
 /// \param surface as for `geodesic_distances()`
 /// \param point a `Point_3` of any kernel
 /// \param np named parameters of `make_domain()`
+/// \returns the location of the closest point
 /// \throws Invalid_argument_error if a coordinate is not finite or the surface is empty
+///
+/// O(n log n) time for the search tree.
 template <typename Surface, typename Point, typename NamedParameters = internal::Default_parameters>
 Location<Surface_of<Surface>> locate_on_surface(const Surface& surface, const Point& point,
                                                 const NamedParameters& np = NamedParameters())

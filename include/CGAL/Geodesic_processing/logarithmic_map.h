@@ -287,6 +287,10 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 ///
 /// \tparam Method `Gradient<Distance_method>` (the default: `Gradient<Euclidean_front>`),
 ///         `Discrete_exponential`, or on a mesh `Exact`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Place a vertex, a surfel or a `Location<Surface>`
+/// \tparam UVMap a model of `WritablePropertyMap` with vertices or surfels as keys and `Point_2` or
+///         arrays of two numbers as values
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param base a vertex, a surfel or a location
 /// \param uv_map a writable property map that receives the tangent vectors.  Its values are
@@ -294,6 +298,8 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 /// \param np the named parameters of `make_domain()` and `Logarithmic_map::compute()`
 /// \returns the tangent plane in space
 /// \throws as `Logarithmic_map::compute()`
+///
+/// Takes the time of `Logarithmic_map::compute()`.
 template <typename Method = Gradient<>, typename Surface, typename Place, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
 Tangent_frame<Surface_of<Surface>> logarithmic_map(const Surface& surface, const Place& base,

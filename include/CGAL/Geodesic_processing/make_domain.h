@@ -20,14 +20,18 @@ using Domain_of =
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// constructs a domain: the preprocessed form of a surface, for any number of calls. Every
-/// function of this package accepts a domain instead of its surface.
+/// constructs a domain: the preprocessed form of a surface, for any number of calls. It can be
+/// passed to functions instead of the surface, unless they access the mesh itself, such as
+/// `texture_atlas()`.
 ///
 /// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, or of
 ///         `SurfelRange`
 /// \param surface a mesh or a cloud
 /// \param np named parameters of `Mesh_domain` or `Surfel_domain`
 /// \returns a `Mesh_domain` or a `Surfel_domain`
+/// \throws as the constructors of `Mesh_domain` and `Surfel_domain`
+///
+/// O(n) for a mesh of n vertices, O(n log n) for a cloud of n surfels.
 template <typename Surface, typename NamedParameters = internal::Default_parameters>
 internal::Domain_of<Surface> make_domain(const Surface& surface,
                                          const NamedParameters& np = NamedParameters())
@@ -36,7 +40,11 @@ internal::Domain_of<Surface> make_domain(const Surface& surface,
 }
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// returns the domain itself.
+/// returns the domain itself, so that functions accept both. O(1).
+///
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \param domain a domain
+/// \returns a copy that shares the data
 template <typename TriangleMesh, typename NamedParameters = internal::Default_parameters>
 Mesh_domain<TriangleMesh> make_domain(const Mesh_domain<TriangleMesh>& domain,
                                       const NamedParameters& = NamedParameters())
@@ -45,7 +53,11 @@ Mesh_domain<TriangleMesh> make_domain(const Mesh_domain<TriangleMesh>& domain,
 }
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// returns the domain itself.
+/// returns the domain itself, so that functions accept both. O(1).
+///
+/// \tparam SurfelRange a model of the concept `SurfelRange`
+/// \param domain a domain
+/// \returns a copy that shares the data
 template <typename SurfelRange, typename NamedParameters = internal::Default_parameters>
 Surfel_domain<SurfelRange> make_domain(const Surfel_domain<SurfelRange>& domain,
                                        const NamedParameters& = NamedParameters())

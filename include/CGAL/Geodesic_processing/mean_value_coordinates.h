@@ -31,6 +31,10 @@ Vec3 spatial(const Point& point)
 /// negative. The mesh must be closed and must enclose a volume. It can have any number of
 /// components.
 ///
+/// \tparam Mesh a model of `FaceListGraph`, or its domain
+/// \tparam Point a `Point_3` of any kernel
+/// \tparam CoordinateMap a model of `WritablePropertyMap` with vertices as keys and `double` as
+///         values
 /// \param mesh a closed mesh, as for `geodesic_distances()`, or a domain of one
 /// \param point a `Point_3` of any kernel, inside, outside, or on the surface
 /// \param coordinate_map receives a `double` for each vertex

@@ -47,6 +47,9 @@ struct Distortion_minimum
 /// Lengths on the mesh are preserved as well as possible. The image may still overlap itself if the
 /// images of boundary edges intersect.
 ///
+/// \tparam Surface a model of `FaceListGraph`, or its domain
+/// \tparam UVMap a model of `ReadWritePropertyMap` with vertices as keys and `Point_2` or arrays of
+///         two numbers as values
 /// \param mesh a triangle mesh or its domain: a topological disk, possibly with holes
 /// \param uv_map a property map of vertices that is read and written: values are `Point_2` or
 ///        arrays

@@ -15,12 +15,18 @@ namespace CGAL::Geodesic_processing {
 ///
 /// The returned `Base_parameterization` also maps all other locations.
 ///
+/// \tparam TriangleMesh a model of `FaceListGraph`, or its domain
+/// \tparam BaseLocationMap a model of `WritablePropertyMap` with vertices as keys and
+///         `Base_location` as values
 /// \param mesh a model of `FaceListGraph`, all of whose faces are triangles, or its domain
 /// \param number the number of base vertices
 /// \param base_location_map receives for each vertex its `Base_location`; vertices without faces
 ///        are not written
 /// \param np as for `Base_parameterization`
+/// \returns the map between the mesh and the base mesh
 /// \throws as `Base_parameterization`
+///
+/// The time is that of `Base_parameterization`.
 template <typename TriangleMesh, typename BaseLocationMap,
           typename NamedParameters = internal::Default_parameters>
 Base_parameterization<Surface_of<TriangleMesh>>

@@ -51,6 +51,9 @@ double ball_radius(const NamedParameters& np)
 ///
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`; both give
 ///         the same result
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam CurvatureMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+///         `Principal_curvatures<Surface>` as values
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param curvatures a writable property map that receives a `Principal_curvatures<Surface>` for
 ///        each vertex or surfel

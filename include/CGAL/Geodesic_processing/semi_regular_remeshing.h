@@ -46,6 +46,8 @@ struct Semi_regular_result
 /// order. Faces \f$4f\f$ to \f$4f+3\f$ are the parts of face \f$f\f$ of the previous level. Quads
 /// \f$3f\f$ to \f$3f+2\f$ of level 0 are the parts of base face \f$f\f$.
 ///
+/// \tparam TriangleMesh a model of `FaceListGraph`, or its domain
+/// \tparam OutputMesh a model of `MutableFaceGraph`
 /// \param mesh a model of `FaceListGraph`, all of whose faces are triangles, or its domain
 /// \param number the number of base vertices
 /// \param levels the number of 1-to-4 refinements
@@ -74,8 +76,11 @@ struct Semi_regular_result
 ///     \cgalParamDefault{nothing is written}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \returns a summary of the result
 /// \throws Invalid_argument_error as `Base_parameterization`; also if there would be more than
 ///         2<SUP>31</SUP> halfedges, and if quads are combined with a maximum deviation
+///
+/// The time is that of `Base_parameterization`, and linear in the size of the output.
 template <typename TriangleMesh, typename OutputMesh,
           typename NamedParameters = internal::Default_parameters>
 Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t number,

@@ -40,6 +40,8 @@ struct Shortened_polyline
 /// The endpoints are fixed.  The result is a geodesic near the polyline.  If two sheets of the
 /// surface are close to each other, the polyline does not determine the sheet of the geodesic.
 ///
+/// \tparam PointRange a range of points of one kernel
+/// \tparam SquaredDistance a function object that takes such a point and returns a number
 /// \param polyline a range of at least two points.  They must be so close to the surface that their
 ///        nearest points are on the intended part of the surface
 /// \param squared_distance a function that returns the squared distance of a point to the surface.

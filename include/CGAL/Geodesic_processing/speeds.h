@@ -59,6 +59,9 @@ double strength(const NamedParameters& np, double default_strength)
 /// \tparam Speed `Edge_attractive` (the default) or `Edge_repulsive`
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`; both give
 ///         the same result
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam SpeedMap a model of `WritablePropertyMap` with vertices or surfels as keys and `double`
+///         as values
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param speeds a writable property map that receives a positive number for each vertex or surfel
 /// \param np the named parameters of `principal_curvatures()`, and
@@ -105,6 +108,10 @@ void curvature_speeds(const Surface& surface, SpeedMap speeds,
 /// Figure 15 of \cgalCite{cgal:srgb-emd-14} shows distances of this kind.
 ///
 /// \tparam Concurrency_tag as for `curvature_speeds()`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Vertex a vertex or surfel
+/// \tparam SpeedMap a model of `WritablePropertyMap` with vertices or surfels as keys and `double`
+///         as values
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param vertex a vertex or surfel
 /// \param speeds a writable property map that receives a number in (0, 1] for each vertex or surfel
@@ -142,6 +149,10 @@ void similar_curvature_speeds(const Surface& surface, Vertex vertex, SpeedMap sp
 /// over the incident faces, or local triangles, of each vertex or surfel.
 /// \cgalCite{cgal:pc-grfp-06}
 ///
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam ImageMap a model of `ReadablePropertyMap` with vertices or surfels as keys
+/// \tparam SpeedMap a model of `WritablePropertyMap` with vertices or surfels as keys and `double`
+///         as values
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param image a readable property map of vertices or surfels; each value is one number, or has
 ///        three components, such as `CGAL::IO::Color`

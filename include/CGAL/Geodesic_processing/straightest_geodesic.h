@@ -27,6 +27,9 @@ struct Straightest_geodesic : Surface_path<Surface>
 /// angles on both sides. \cgalCite{cgal:ps-sgps-98}  If it reaches a boundary edge, or
 /// a boundary vertex that it cannot pass, it ends there.
 ///
+/// \tparam Mesh a model of `FaceListGraph`, or its domain
+/// \tparam QueryLocation a vertex or a `Location<Mesh>`
+/// \tparam Vector a 3D vector of any kernel
 /// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; clouds are not supported
 /// \param from a vertex or a location
 /// \param direction a vector in space, which is projected to the plane of the face of `from`.  At a

@@ -19,11 +19,17 @@ namespace CGAL::Geodesic_processing {
 ///
 /// If there is more than one pair, `Surfel_path_finder` is faster: it reads the cloud only once.
 ///
+/// \tparam SurfelRange a model of the concept `SurfelRange`
+/// \tparam FromLocation a surfel or a `Location<SurfelRange>`
+/// \tparam ToLocation as `FromLocation`
 /// \param surfels a model of `SurfelRange`
 /// \param from a surfel or a location
 /// \param to a surfel or a location
 /// \param np the named parameters of `Surfel_path_finder`
 /// \returns the path; empty if `from` and `to` are not connected
+/// \throws as `Surfel_path_finder` and its `operator()`
+///
+/// O(n log n) for the preparation; the path itself is found in a small fraction of this time.
 template <typename SurfelRange, typename FromLocation, typename ToLocation,
           typename NamedParameters = internal::Default_parameters>
 Surfel_path<SurfelRange> surfel_geodesic_path(const SurfelRange& surfels, const FromLocation& from,
@@ -40,6 +46,8 @@ Surfel_path<SurfelRange> surfel_geodesic_path(const SurfelRange& surfels, const 
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several
 ///         pairs are processed at a time, on one cloud and one graph.  Both give bitwise equal
 ///         results.
+/// \tparam SurfelRange a model of the concept `SurfelRange`
+/// \tparam Pairs a range of pairs
 /// \param finder the path finder of the cloud, which is not modified
 /// \param pairs a range of pairs of surfels or locations
 /// \param np `number_of_threads`: the number of threads, used with `Parallel_tag`; by default, the

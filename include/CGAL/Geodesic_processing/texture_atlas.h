@@ -51,6 +51,9 @@ struct Texture_atlas
 ///         tessellation
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`, which
 ///         processes several charts at a time, with the same result
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam UVMap a model of `WritablePropertyMap` with halfedges as keys and `Point_2` or arrays of
+///         two numbers as values
 /// \param mesh a triangle mesh of any topology, with any number of components and boundary cycles
 /// \param number the initial number of charts. More are created if cells are not disks, or if
 ///        charts would overlap themselves or stretch lengths by a mean factor of two. Components

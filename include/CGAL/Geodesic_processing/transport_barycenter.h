@@ -16,12 +16,17 @@ namespace CGAL::Geodesic_processing {
 /// factorizes only once. See there for details.
 ///
 /// \tparam Surface as for `geodesic_distances()`
+/// \tparam Masses a range of mass distributions
+/// \tparam BarycenterMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+///         `double` as values
 /// \param surface the surface on which masses move
 /// \param masses a range of mass distributions as accepted by `Transport_barycenter_solver`
 /// \param barycenter_map receives a `double` for each vertex or surfel: the mass of the barycenter
 /// \param np named parameters of `Transport_barycenter_solver` and its `compute()`
 /// \returns the cost of the barycenter with certified bounds
 /// \throws as `Transport_barycenter_solver` and its `compute()`
+///
+/// The time is that of `Transport_barycenter_solver` and its `compute()`.
 template <typename Surface, typename Masses, typename BarycenterMap,
           typename NamedParameters = internal::Default_parameters>
 Transport_barycenter_cost transport_barycenter(const Surface& surface, const Masses& masses,

@@ -17,6 +17,10 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
+/// \tparam From a mass distribution as accepted by `Earth_movers_solver`
+/// \tparam To a mass distribution as accepted by `Earth_movers_solver`
+/// \tparam Seeds a number of streamlines, or a vertex, a surfel, a location, or a range of these
+/// \tparam OutputIterator a model of `OutputIterator` for `Streamline<Surface>`
 /// \param surface a mesh or a cloud
 /// \param from, to mass distributions, as for `Earth_movers_solver`
 /// \param seeds an integer or a range. An integer is the number of streamlines, each for an equal

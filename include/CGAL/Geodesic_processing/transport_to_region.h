@@ -17,6 +17,8 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
+/// \tparam From a mass distribution as accepted by `Earth_movers_solver`
+/// \tparam Region as for `Region_transport_solver`
 /// \param surface the surface on which masses move
 /// \param from a mass distribution as accepted by `Earth_movers_solver`
 /// \param region as for `Region_transport_solver`
@@ -46,6 +48,8 @@ namespace CGAL::Geodesic_processing {
 /// \cgalNamedParamsEnd
 /// \returns the cost with certified bounds
 /// \throws as `Region_transport_solver` and its `compute()`
+///
+/// The time is that of `Region_transport_solver` and its `compute()`.
 template <typename Method = Interior_point, typename Surface, typename From, typename Region,
           typename NamedParameters = internal::Default_parameters>
 Earth_movers_cost transport_to_region(const Surface& surface, const From& from,
