@@ -19,7 +19,7 @@ namespace CGAL::Geodesic_processing {
 /// \tparam Surface as for `geodesic_distances()`
 /// \tparam From a mass distribution as accepted by `Earth_movers_solver`
 /// \tparam To a mass distribution as accepted by `Earth_movers_solver`
-/// \tparam Seeds a number of streamlines, or a vertex, a surfel, a location, or a range of these
+/// \tparam Seeds an integer, or a range of vertices, surfels or locations
 /// \tparam OutputIterator a model of `OutputIterator` for `Streamline<Surface>`
 /// \param surface a mesh or a cloud
 /// \param from, to mass distributions, as for `Earth_movers_solver`
