@@ -30,8 +30,8 @@ using internal::Base_coordinates;
 /// length.
 enum class Base_coordinates
 {
-  /// areas of planar triangles whose edge lengths are the lengths of the base edges and the geodesic
-  /// distances to the corners. They preserve distances if the surface is flat.
+  /// areas of planar triangles whose edge lengths are the lengths of the base edges and the
+  /// geodesic distances to the corners. They preserve distances if the surface is flat.
   /// \cgalCite{cgal:pc-grfp-03}
   heron,
   mean_value, ///< convex combinations of the neighbors with mean value weights (Floater 2003)

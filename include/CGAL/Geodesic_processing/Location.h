@@ -85,13 +85,14 @@ struct Element_kernel<std::tuple<First, Others...>> : Element_kernel<First>
 } // namespace internal
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// the kernel of the points and vectors that are computed on a range of surfels. It is the kernel of
-/// the elements if they are points of \cgal, or pairs or tuples that begin with such a point, or if
-/// they have a nested type `R`. For other ranges, for example of indices, specialize this struct
+/// the kernel of the points and vectors that are computed on a range of surfels. It is the kernel
+/// of the elements if they are points of \cgal, or pairs or tuples that begin with such a point, or
+/// if they have a nested type `R`. For other ranges, for example of indices, specialize this struct
 /// before you call a function that returns points or vectors. Distances do not need it.
 template <typename SurfelRange>
 struct Surfel_kernel
 {
+  /// a model of `Kernel`
   using type = typename internal::Element_kernel<
       std::decay_t<decltype(*std::declval<const SurfelRange&>().begin())>>::type;
 };

@@ -24,7 +24,8 @@ namespace CGAL::Geodesic_processing {
 ///
 /// represents a surfel cloud for all algorithms of this package: a proximity graph, and local
 /// triangles with weights, which overlap. It is returned by `make_domain()` and can be passed to
-/// functions instead of the cloud. It is immutable, and copies are cheap, since they share the data.
+/// functions instead of the cloud. It is immutable, and copies are cheap, since they share the
+/// data.
 ///
 /// A domain stores the indices of the cloud, but does not refer to the cloud. It takes about 700
 /// bytes per surfel.
