@@ -126,7 +126,7 @@ bool documents(const std::string& documentation, const std::string& command,
 
 std::vector<std::string> missing_parts(const Declaration& declaration)
 {
-  const auto& [documentation, text] = declaration;
+  const std::string &documentation = declaration.documentation, &text = declaration.text;
   std::vector<std::string> result;
   std::size_t begin = 0; // of the type that the function returns
   if(starts_with(text, "template <"))
