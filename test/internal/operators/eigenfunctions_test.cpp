@@ -112,7 +112,7 @@ TEST(Eigenfunctions, eigenspaces_are_complete_on_sphere)
 {
   const Array_surface sphere(icosphere(4));
   const Operators o = operators(sphere.t());
-  for(const std::size_t number : {1u, 3u, 4u, 15u, 16u, 37u, 99u, 100u})
+  for(const std::size_t number : {1u, 3u, 4u, 10u, 15u, 16u, 37u, 49u, 70u, 99u, 100u})
   {
     const Eigenfunctions found = eigenfunctions(sphere.t(), o, number);
     std::size_t group = 1;
