@@ -158,10 +158,9 @@ bool Front::run(const std::vector<Front_source>& sources, const Front_limits& li
   begin_query(limits);
   initialize(m_state, sources);
   const bool is_finished = propagate(limits);
-  discard_tentative_vertices();
+  const std::vector<Index> often_corrected = collect_final_vertices();
   if(m_state.has_directions() && !m_state.surface->is_cloud())
-    bound_by_edges(m_state);
-  separate_midpoints();
+    bound_by_edges(m_state, often_corrected);
   return is_finished;
 }
 
@@ -251,34 +250,34 @@ void Front::propagate_from(Index v)
     invalidate_descendants(front);
 }
 
-// Resets the vertices that are still in the queue: their distances may be too large.
-void Front::discard_tentative_vertices()
+// Resets the vertices that are not final, and moves the inserted ones out of the list of reached
+// vertices.  Returns those whose corrections may have been refused.
+std::vector<Index> Front::collect_final_vertices()
 {
   Front_state& front = m_state;
-  const auto is_not_final = [&](Index vertex)
-  {
-    if(front.vertices[vertex].state & final_flag)
-      return false;
-    front.vertices[vertex] = Front_vertex{};
-    front.sources[vertex] = none;
-    return true;
-  };
-  front.reached.erase(std::remove_if(front.reached.begin(), front.reached.end(), is_not_final),
-                      front.reached.end());
   front.queue.clear();
-}
-
-// Moves the inserted vertices out of the list of reached vertices.
-void Front::separate_midpoints()
-{
-  Front_state& front = m_state;
-  if(front.is_on_surface(Index(front.vertices.size()) - 1))
-    return;
-  const auto first_midpoint =
-      std::stable_partition(front.reached.begin(), front.reached.end(),
-                            [&](Index vertex) { return front.is_on_surface(vertex); });
-  front.reached_midpoints.assign(first_midpoint, front.reached.end());
-  front.reached.erase(first_midpoint, front.reached.end());
+  const Index number_of_vertices = Index(front.surface->number_of_vertices());
+  std::vector<Index> often_corrected;
+  std::size_t number_of_final_vertices = 0;
+  for(const Index vertex : front.reached)
+  {
+    const Index state = front.vertices[vertex].state;
+    if(!(state & final_flag))
+    {
+      front.vertices[vertex] = Front_vertex{};
+      front.sources[vertex] = none;
+    }
+    else if(vertex >= number_of_vertices)
+      front.reached_midpoints.push_back(vertex);
+    else
+    {
+      front.reached[number_of_final_vertices++] = vertex;
+      if(state >= max_corrections_over_budget * correction_unit)
+        often_corrected.push_back(vertex);
+    }
+  }
+  front.reached.resize(number_of_final_vertices);
+  return often_corrected;
 }
 
 Index Front::predecessor(Index v) const

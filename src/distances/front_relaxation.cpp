@@ -90,7 +90,7 @@ void relax_all_edges(Front_state& front, Index vertex, Index flags)
   }
 }
 
-void bound_by_edges(Front_state& front)
+void bound_by_edges(Front_state& front, const std::vector<Index>& often_corrected)
 {
   const Surface_arrays& surface = *front.surface;
   std::vector<Index> decreased;
@@ -110,22 +110,29 @@ void bound_by_edges(Front_state& front)
     front.sources[to] = front.sources[from];
     decreased.push_back(to);
   };
-  const std::size_t number_of_reached = front.reached.size();
-  for(std::size_t i = 0; i < number_of_reached; ++i)
+  for(const Index v : often_corrected)
+    for_each_edge(surface, nullptr, v,
+                  [&](Index end, double length) { relax_edge(end, v, length, false); });
+  if(front.triangles != front.surface)
   {
-    const Index v = front.reached[i];
-    if(!front.is_on_surface(v))
-      continue;
-    // Its last correction may have been refused.
-    if(front.vertices[v].state >= max_corrections_over_budget * correction_unit)
-      for_each_edge(surface, nullptr, v,
-                    [&](Index end, double length) { relax_edge(end, v, length, false); });
-    if(front.triangles == front.surface ||
-       (front.known_distance && !(front.vertices[v].distance < (*front.known_distance)[v])))
-      continue;
-    const auto [begin, end] = front.intrinsic_triangulation->removed_edges(v);
-    for(auto edge = begin; edge != end; ++edge)
-      relax_edge(v, edge->vertex, edge->length, front.known_distance != nullptr);
+    const Intrinsic_triangulation& intrinsic = *front.intrinsic_triangulation;
+    const auto relax_removed_edges = [&](Index v)
+    {
+      if(front.known_distance && !(front.vertices[v].distance < (*front.known_distance)[v]))
+        return;
+      const auto [begin, end] = intrinsic.removed_edges(v);
+      for(auto edge = begin; edge != end; ++edge)
+        relax_edge(v, edge->vertex, edge->length, front.known_distance != nullptr);
+    };
+    // Vertices that are reached here are added to the list and not visited.
+    const std::size_t number_of_reached = front.reached.size();
+    const std::vector<Index>& vertices = intrinsic.vertices_with_removed_edges();
+    if(!front.known_distance && vertices.size() < number_of_reached)
+      for(const Index v : vertices)
+        relax_removed_edges(v);
+    else
+      for(std::size_t i = 0; i < number_of_reached; ++i)
+        relax_removed_edges(front.reached[i]);
   }
   while(!decreased.empty())
   {

@@ -160,10 +160,10 @@ void relax_along_edge(Front_state& front, Index vertex, const Fan_position& posi
 void relax_all_edges(Front_state& front, Index vertex, Index flags);
 
 // Decreases the distances of a Euclidean front on a mesh to those along edges of the mesh: edges
-// that are not in the intrinsic triangulation, and edges to vertices whose corrections were refused.
+// that are not in the intrinsic triangulation, and edges to the often corrected vertices.
 // With known distances, also reaches the ends of the former edges of all vertices that improve
 // theirs.
-void bound_by_edges(Front_state& front);
+void bound_by_edges(Front_state& front, const std::vector<Index>& often_corrected);
 
 } // namespace CGAL::Geodesic_processing::internal
 

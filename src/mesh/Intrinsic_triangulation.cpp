@@ -201,6 +201,8 @@ void Intrinsic_triangulation::find_removed_edges(const Surface_arrays& mesh)
                     m_removed_edges.push_back({end, l});
                     length[end] = l; // an edge of two triangles is visited twice
                   });
+    if(m_removed_begin.back() < m_removed_edges.size())
+      m_vertices_with_removed_edges.push_back(vertex);
     for(const Surface_arrays* const t : {&mesh, m_triangles.get()})
       for_each_edge(*t, nullptr, vertex, [&](Index end, double) { length[end] = infinity; });
   }

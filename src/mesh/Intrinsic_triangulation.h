@@ -59,6 +59,10 @@ public:
     return {m_removed_edges.data() + m_removed_begin[vertex],
             m_removed_edges.data() + m_removed_begin[vertex + 1]};
   }
+  const std::vector<Index>& vertices_with_removed_edges() const
+  {
+    return m_vertices_with_removed_edges;
+  }
 
 private:
   // A flip or a bisection, and the next step of each of its two new triangles, or none.
@@ -90,6 +94,7 @@ private:
   std::vector<Index> m_first_step; // #triangles of the mesh; none if the triangle was not changed
   std::vector<Index> m_removed_begin; // #vertices of the mesh + 1: begin of the edges of each
   std::vector<Removed_edge> m_removed_edges;
+  std::vector<Index> m_vertices_with_removed_edges;
 };
 
 // Returns the intrinsic triangulation of a mesh, computed once as long as any user holds the

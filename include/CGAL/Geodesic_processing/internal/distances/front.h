@@ -66,8 +66,7 @@ private:
   void begin_query(const Front_limits& limits);
   bool propagate(const Front_limits& limits);
   void propagate_from(Index vertex);
-  void discard_tentative_vertices();
-  void separate_midpoints();
+  std::vector<Index> collect_final_vertices();
 
   Front_state m_state;
 };
