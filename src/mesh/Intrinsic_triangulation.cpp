@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Edges are flipped if the opposite angles sum to more than pi by this angle.  Fronts are inaccurate
-// on needles and caps, not on triangles that are nearly Delaunay.  On 48 scans, patches and CAD
+// on needles and caps, not on triangles that are nearly Delaunay.  On 47 scans, patches and CAD
 // models with 10 sources, no mean or largest error is more than 2 % larger than without flips.  With
 // 10 degrees, the mean error is 7 % larger on one of them; with 20, the largest one is 33 % larger on
 // another.
@@ -26,7 +26,7 @@ constexpr double usual_flip_tolerance = 18. * pi / 180.;
 // largest error was at most 5 % on 581; with 15 degrees on 579, and with 20 on 576.
 constexpr double flip_tolerance_for_large_triangles = 10. * pi / 180.;
 // Triangles with long edges cover at least this share of the area of such a mesh.  With half of it
-// and twice of it, the geometric means of the errors on the 48 meshes differ by less than 1 %.
+// and twice of it, the geometric means of the errors on the 47 meshes differ by less than 1 %.
 constexpr double min_share_of_large_triangles = 0.1;
 // Edges are bisected if they are longer than this multiple of the root of the area per vertex;
 // edges of equilateral triangles have 1.07.  Fronts are inaccurate on triangles that are much
