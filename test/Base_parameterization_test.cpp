@@ -81,4 +81,25 @@ TEST(Base_parameterization, throws_on_invalid_locations)
   EXPECT_THROW(other(isolated), GP::Invalid_argument_error);
 }
 
+TEST(Base_parameterization, maps_surfels_of_cloud)
+{
+  const Surfels surfels = sphere_surfels(3);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  const GP::Base_parameterization<Surfels> base(surfels, 30, maps),
+      of_domain(GP::make_domain(surfels, maps), 30);
+  EXPECT_EQ(base.number_of_flips(), 0u);
+  EXPECT_EQ(base.number_of_base_faces(), 2 * base.number_of_base_vertices() - 4); // a sphere
+  for(std::size_t i = 0; i < surfels.size(); ++i)
+  {
+    const GP::Base_location location = base(i);
+    EXPECT_EQ(of_domain(i).barycentric, location.barycentric);
+    // Surfels are vertices of the reconstructed mesh. The height of image triangles is at least
+    // 1e-8 of an edge length.
+    EXPECT_LT(CGAL::squared_distance(base.point(location), surfels[i].first), 1e-14);
+    const auto round_trip = base.inverse(location);
+    EXPECT_EQ(round_trip.surfel, i);
+    EXPECT_NEAR(std::hypot(round_trip.offset[0], round_trip.offset[1]), 0., 1e-7);
+  }
+}
+
 } // namespace Base_parameterization_test

@@ -48,6 +48,11 @@ void expect_border_sources()
   std::vector<GP::Source<TestedMesh>> sources;
   GP::border_sources(mesh.mesh, std::back_inserter(sources));
   ASSERT_EQ(sources.size(), 2u);
+  std::vector<GP::Source<TestedMesh>> sources_of_domain;
+  GP::border_sources(GP::make_domain(mesh.mesh), std::back_inserter(sources_of_domain));
+  ASSERT_EQ(sources_of_domain.size(), 2u);
+  for(const std::size_t i : {0u, 1u})
+    EXPECT_EQ(sources_of_domain[i].location(), sources[i].location());
   for(const auto& border : sources)
   {
     const auto& line = std::get<1>(border.location());

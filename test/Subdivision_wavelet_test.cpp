@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/Subdivision_wavelet.h>
 
 #include <CGAL/Geodesic_processing/decode_wavelets.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -238,6 +239,14 @@ TEST(Subdivision_wavelet, supports_components_and_isolated_vertices)
     // 24 bit planes for coefficients below 16 times 7.
     EXPECT_LT(std::sqrt(difference.squared_length()), 112. * std::ldexp(1., -20));
   }
+}
+
+TEST(Subdivision_wavelet, accepts_domain)
+{
+  const Mesh mesh = mesh_of(icosphere(2));
+  const GP::Subdivision_wavelet<Mesh> of_mesh(mesh), of_domain(GP::make_domain(mesh));
+  EXPECT_EQ(of_domain.number_of_levels(), of_mesh.number_of_levels());
+  EXPECT_EQ(of_domain.analyze(mesh.points()).values, of_mesh.analyze(mesh.points()).values);
 }
 
 } // namespace Subdivision_wavelet_test

@@ -139,4 +139,17 @@ TEST(bake_atlas, throws_on_non_triangular_faces)
                GP::Unsupported_surface_error);
 }
 
+TEST(bake_atlas, accepts_domain)
+{
+  const auto color = [](const Mesh&, const auto& location) {
+    return GP::Decal_color{location.second[0], location.second[1], location.second[2], 1.};
+  };
+  const Baked baked(icosphere(1), 4, color);
+  const auto texels = GP::bake_atlas(
+      GP::make_domain(baked.mesh), baked.uv,
+      [&](const auto& location) { return color(baked.mesh, location); }, baked.size,
+      GP::parameters::background(GP::Decal_color{0., 0., 1., 1.}));
+  EXPECT_EQ(texels, baked.texels);
+}
+
 } // namespace bake_atlas_test

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/distortion.h>
 
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/property_map.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include "Mesh_of.h"
@@ -57,7 +58,8 @@ TEST(distortion, distortion_of_normal_coordinates_follows_curvature)
     const double size = std::hypot(p.x(), p.y()), r = std::atan2(size, p.z());
     uv[v] = size > 0. ? UV{r * p.x() / size, r * p.y() / size} : UV{0., 0.};
   }
-  const auto largest = [&](auto measure) { return GP::mesh_distortion(mesh, uv, measure).worst; };
+  const auto largest = [&](auto measure)
+  { return GP::surface_distortion(mesh, uv, measure).worst; };
   const double r = 0.3, square = r * r, fourth = square * square;
   using D = GP::Face_distortion;
   // The next order contributes at most r^2 / 10, i.e. 1 %. A ring is 3 % of the radius, i.e. 7 %
@@ -94,15 +96,15 @@ TEST(distortion, skips_faces_without_finite_image)
   const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
   for(const Vertex v : mesh.vertices())
     uv[v] = {2. * mesh.point(v).x(), mesh.point(v).y()};
-  const auto all = GP::mesh_distortion(mesh, uv, &GP::Face_distortion::mips);
+  const auto all = GP::surface_distortion(mesh, uv, &GP::Face_distortion::mips);
   EXPECT_NEAR(all.area, 1., 1e-14);
   EXPECT_NEAR(all.integral, 2., 1e-13);
   EXPECT_NEAR(all.mean(), 2., 1e-13);
   EXPECT_NEAR(all.worst, 2., 1e-13);
-  EXPECT_EQ(all.number_of_faces, 32u);
-  EXPECT_EQ(all.number_of_folded_faces, 0u);
+  EXPECT_EQ(all.number_of_triangles, 32u);
+  EXPECT_EQ(all.number_of_folded_triangles, 0u);
   uv[Vertex(0)] = {std::numeric_limits<double>::quiet_NaN(), 0.};
-  EXPECT_LT(GP::mesh_distortion(mesh, uv, &GP::Face_distortion::mips).number_of_faces, 32u);
+  EXPECT_LT(GP::surface_distortion(mesh, uv, &GP::Face_distortion::mips).number_of_triangles, 32u);
 }
 
 TEST(distortion, flattening_distortion_is_scale_invariant)
@@ -115,7 +117,7 @@ TEST(distortion, flattening_distortion_is_scale_invariant)
     for(const Vertex v : mesh.vertices())
       uv[v] = {2. * scale * mesh.point(v).x(), scale * mesh.point(v).y()};
     const auto found = GP::flattening_distortion(mesh, uv);
-    EXPECT_EQ(found.number_of_faces, 72u);
+    EXPECT_EQ(found.number_of_triangles, 72u);
     EXPECT_EQ(found.number_of_flips, 0u);
     EXPECT_NEAR(found.conformal, std::sqrt(0.5), 1e-12); // 2 + 1/2 - 2 up to round-off errors
     EXPECT_NEAR(found.authalic, 0., 1e-12);
@@ -129,6 +131,74 @@ TEST(distortion, flattening_distortion_is_scale_invariant)
   for(const Vertex v : mesh.vertices())
     uv[v] = {1., 0.};
   EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 72u);
+}
+
+TEST(distortion, domain_gives_the_values_of_its_mesh)
+{
+  Mesh mesh = mesh_of(torus(24, 12));
+  const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
+  const auto corners = mesh.add_property_map<Halfedge, UV>("h:uv").first;
+  for(const Vertex v : mesh.vertices())
+    uv[v] = {mesh.point(v).x(), mesh.point(v).y() + 0.3 * mesh.point(v).z()};
+  for(const Halfedge h : mesh.halfedges())
+    corners[h] = uv[mesh.target(h)];
+  const auto domain = GP::make_domain(mesh);
+  const auto expect_equal = [](double a, double b)
+  { EXPECT_NEAR(a, b, 1e-12 * std::abs(b)); }; // coordinates relative to the domain's origin
+  for(const Face f : mesh.faces())
+    for(const auto& found :
+        {GP::face_distortion(f, domain, uv), GP::face_distortion(f, domain, corners)})
+    {
+      const auto expected = GP::face_distortion(f, mesh, uv);
+      expect_equal(found.sigma_1, expected.sigma_1);
+      expect_equal(found.area, expected.area);
+      EXPECT_EQ(found.is_folded, expected.is_folded);
+    }
+  const auto of_mesh = GP::surface_distortion(mesh, corners, &GP::Face_distortion::symmetric_mips),
+             of_domain = GP::surface_distortion(domain, uv, &GP::Face_distortion::symmetric_mips);
+  EXPECT_EQ(of_mesh.integral, of_domain.integral);
+  EXPECT_EQ(of_mesh.worst, of_domain.worst);
+  EXPECT_EQ(of_mesh.worst_location, of_domain.worst_location);
+  EXPECT_EQ(GP::face_distortion(of_mesh.worst_location.first, domain, uv).symmetric_mips(),
+            of_mesh.worst);
+}
+
+// The orthographic projection of a cap of the unit sphere stretches by 1/cos(t) along the
+// meridians, at the angle t from the pole. The mean over the cap is -log(cos a) / (1 - cos a).
+TEST(distortion, distortion_of_cloud_follows_closed_form)
+{
+  double last_error = 1.;
+  for(const unsigned level : {4u, 5u})
+  {
+    const Surfels sphere = sphere_surfels(level);
+    const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+    std::vector<UV> uv;
+    for(const auto& [p, n] : sphere)
+      uv.push_back({p.z() > 0.5 ? p.x() : std::numeric_limits<double>::quiet_NaN(), p.y()});
+    const auto found = GP::surface_distortion(sphere, CGAL::make_property_map(uv),
+                                              &GP::Face_distortion::mips, maps);
+    const double edge = 1.2 / double(1u << level); // at most the distance of neighbors
+    // Triangles across the boundary are ignored: a strip whose width is less than an edge.
+    const double strip = 2. * GP::internal::pi * std::sin(GP::internal::pi / 3.) * edge;
+    EXPECT_LT(found.area, GP::internal::pi);
+    EXPECT_GT(found.area, GP::internal::pi - strip);
+    const double error = std::abs(found.mean() - 2. * std::log(2.));
+    EXPECT_LT(error, strip / GP::internal::pi * 0.7); // the mean in the strip is at most 2
+    EXPECT_LT(error, 0.6 * last_error);               // about half
+    last_error = error;
+    EXPECT_EQ(found.number_of_folded_triangles, 0u);
+    EXPECT_LE(found.worst, 2.);
+    EXPECT_GT(std::hypot(uv[found.worst_location.surfel][0], uv[found.worst_location.surfel][1]),
+              0.8); // near the boundary, at sin(pi / 3)
+
+    const auto whole =
+        GP::flattening_distortion(GP::make_domain(sphere, maps), CGAL::make_property_map(uv));
+    EXPECT_EQ(whole.number_of_triangles, found.number_of_triangles);
+    EXPECT_EQ(whole.number_of_flips, 0u);
+    // The mean of (sigma - 1)^2 / sigma is that of sigma - 2 + 1 / sigma, and the mean of the cosine
+    // is 3 / 4.
+    EXPECT_NEAR(whole.conformal, std::sqrt(2. * std::log(2.) - 2. + 0.75), edge);
+  }
 }
 
 } // namespace distortion_test

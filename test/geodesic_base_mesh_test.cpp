@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -49,6 +50,24 @@ TEST(geodesic_base_mesh, regions_are_disks)
                                         CGAL::parameters::edge_is_constrained_map(is_between)),
               num_faces(base));
   }
+}
+
+TEST(geodesic_base_mesh, divides_reconstructed_cloud)
+{
+  const Surfels surfels = sphere_surfels(3);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  Mesh base, divided;
+  const auto base_face = divided.add_property_map<Face, Face>("f:base").first;
+  GP::geodesic_base_mesh(surfels, 30, base, divided, base_face, maps);
+  EXPECT_EQ(num_faces(base), 2 * num_vertices(base) - 4); // a sphere
+  EXPECT_EQ(num_faces(divided), 2 * num_vertices(divided) - 4);
+  for(const auto& m : {base, divided})
+    for(const Vertex v : m.vertices())
+    {
+      const double radius = std::sqrt((m.point(v) - CGAL::ORIGIN).squared_length());
+      EXPECT_LE(radius, 1. + 1e-14); // round-off errors
+      EXPECT_GT(radius, 0.99);       // triangles between 642 surfels are 0.006 below the sphere
+    }
 }
 
 TEST(geodesic_base_mesh, writes_nothing_when_cancelled)

@@ -261,6 +261,11 @@ TEST(Geodesic_delaunay_remeshing, respects_feature_spacing)
   EXPECT_EQ(number_at(3.), 30u);
   EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{0, 2}}}));
 
+  Mesh of_domain;
+  GP::geodesic_delaunay_remeshing(GP::make_domain(pipe), 150, of_domain,
+                                  GP::parameters::edge_spacing_map(spacing));
+  EXPECT_EQ(corners_of(of_domain), corners_of(output));
+
   output.clear();
   GP::geodesic_delaunay_remeshing(GP::make_domain(pipe), 150, output,
                                   GP::parameters::curve_spacing(0.1));

@@ -31,6 +31,20 @@ TEST(semi_regular_remeshing, accepts_domain)
     EXPECT_EQ(of_domain.point(v), of_mesh.point(v));
 }
 
+TEST(semi_regular_remeshing, reconstructs_cloud)
+{
+  const Surfels surfels = sphere_surfels(3);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  CGAL::Polyhedron_3<Kernel> output;
+  const auto result = GP::semi_regular_remeshing(surfels, 30, 2, output, maps);
+  EXPECT_EQ(result.number_of_flips, 0u);
+  EXPECT_EQ(num_faces(output), 16 * result.number_of_base_faces);
+  EXPECT_EQ(num_faces(output), 2 * num_vertices(output) - 4); // a sphere
+  for(const auto v : vertices(output))
+    // Triangles between 642 surfels are 0.006 below the sphere.
+    EXPECT_NEAR(std::sqrt((v->point() - CGAL::ORIGIN).squared_length()), 1., 0.01);
+}
+
 TEST(semi_regular_remeshing, has_subdivision_connectivity)
 {
   const Mesh mesh = mesh_of(icosphere(3));

@@ -98,6 +98,43 @@ TEST(texture_atlas, accepts_all_mesh_types)
   expect_atlas<Mesh>(annulus(30, 4, 1., 2.), 2);
 }
 
+TEST(texture_atlas, accepts_domain)
+{
+  const Mesh mesh = mesh_of(torus(20, 10));
+  std::map<Mesh::Halfedge_index, UV> of_mesh, of_domain;
+  GP::texture_atlas(mesh, 8, boost::make_assoc_property_map(of_mesh));
+  GP::texture_atlas(GP::make_domain(mesh), 8, boost::make_assoc_property_map(of_domain));
+  EXPECT_EQ(of_domain, of_mesh);
+}
+
+TEST(texture_atlas, reconstructs_cloud)
+{
+  const Surfels surfels = sphere_surfels(3);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  Mesh output;
+  std::map<Mesh::Halfedge_index, UV> uv;
+  std::map<Vertex, GP::Location<Surfels>> location;
+  std::map<Face, std::size_t> chart;
+  const GP::Texture_atlas atlas =
+      GP::texture_atlas(surfels, 8, output, boost::make_assoc_property_map(uv),
+                        maps.location_map(boost::make_assoc_property_map(location))
+                            .chart_map(boost::make_assoc_property_map(chart)));
+  EXPECT_TRUE(atlas.is_injective());
+  EXPECT_EQ(num_vertices(output), surfels.size());
+  EXPECT_EQ(num_faces(output), 2 * surfels.size() - 4); // a sphere
+  EXPECT_EQ(uv.size(), 3 * num_faces(output));
+  EXPECT_EQ(chart.size(), num_faces(output));
+  EXPECT_EQ(max_triangle_overlap(output, boost::make_assoc_property_map(uv), 64), 1u);
+  for(const Vertex v : output.vertices())
+    EXPECT_EQ(output.point(v), surfels[location.at(v).surfel].first);
+
+  Mesh of_domain;
+  std::map<Mesh::Halfedge_index, UV> same;
+  GP::texture_atlas(GP::make_domain(surfels, maps), 8, of_domain,
+                    boost::make_assoc_property_map(same));
+  EXPECT_EQ(same, uv);
+}
+
 TEST(texture_atlas, texel_density_follows_scale)
 {
   double one = 0.;

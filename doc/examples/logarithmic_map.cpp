@@ -46,7 +46,7 @@ int main()
       largest = std::max(largest, std::hypot(uv[v].x() - angle * p.x() / radius,
                                              uv[v].y() - angle * p.y() / radius));
   }
-  const auto stretch = GP::mesh_distortion(mesh, uv, &GP::Face_distortion::mips);
+  const auto stretch = GP::surface_distortion(mesh, uv, &GP::Face_distortion::mips);
   std::cout << "Places on the map are off by " << largest << " at most; angles are stretched by "
             << stretch.mean() << " in the mean and by " << stretch.worst << " at the rim.\n";
 

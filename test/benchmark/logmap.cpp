@@ -559,7 +559,7 @@ void compare_on_cylinder()
     {
       const auto uv = boost::make_function_property_map<Vertex>(f);
       return format_significant(
-          std::fabs(GP::mesh_distortion(mesh, uv, measure.measure).mean() - measure.at_base));
+          std::fabs(GP::surface_distortion(mesh, uv, measure.measure).mean() - measure.at_base));
     };
     table.add({measure.name, format_difference([&](Vertex v) { return gradient(v); }),
                format_difference([&](Vertex v) { return exact(v); }),

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/Reconstructed_domain.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/add_faces.h>
 #include <CGAL/Geodesic_processing/internal/remeshing/base_map.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
@@ -42,11 +43,11 @@ enum class Base_coordinates
 namespace internal {
 
 // Converts the named parameters of a base mesh to options.
-template <typename Surface, typename Domain, typename NamedParameters>
-Remeshing_options base_mesh_options(const Surface& surface, const Domain& domain,
-                                    std::size_t number, const NamedParameters& np)
+template <typename Domain, typename NamedParameters>
+Remeshing_options base_mesh_options(const Domain& domain, std::size_t number,
+                                    const NamedParameters& np)
 {
-  Remeshing_options result = remeshing_options(surface, domain, number, np);
+  Remeshing_options result = remeshing_options(domain, number, np);
   result.does_fit_to_input = false;
   result.maximum_deviation = infinity;
   return result;
@@ -64,11 +65,14 @@ struct Base_location
 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
-/// A continuous, one-to-one map between a mesh and a base mesh with few triangles.
+/// A continuous, one-to-one map between a surface and a base mesh with few triangles.
 /// \cgalCite{cgal:pc-grfp-03}
 ///
 /// The base mesh is the geodesic Delaunay triangulation of samples. Its edges are paths on the
-/// mesh; see `geodesic_base_mesh()`.
+/// surface; see `geodesic_base_mesh()`. A cloud is reconstructed first, as for
+/// `geodesic_delaunay_remeshing()`: then the mesh in the following is the reconstructed one. Each
+/// location of the cloud is mapped as the closest location of that mesh, and locations of that mesh
+/// are returned as the closest locations on the cloud.
 ///
 /// Heron coordinates can fold triangles of the mesh if the curvature within a base face is high. If
 /// coordinates fold a triangle, the whole base face gets mean value coordinates. If round-off
@@ -76,22 +80,21 @@ struct Base_location
 /// do not fold triangles and have the same boundary values (Tutte 1963, Floater 1997).
 ///
 /// The object stores the descriptors of the mesh, as a `Mesh_domain` does, but not the mesh.
-template <typename TriangleMesh>
+///
+/// \tparam Surface a model of `FaceListGraph` or of `SurfelRange`
+template <typename Surface>
 class Base_parameterization
 {
-  static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "A base mesh needs a mesh, because the triangles of a cloud overlap: use "
-                "geodesic_delaunay_remeshing() first.");
-  using Domain = Mesh_domain<TriangleMesh>;
+  using Domain = internal::Manifold_domain_of<Surface>;
 
 public:
-  using Surface = TriangleMesh;
-  using Location = typename Domain::Location; ///< `Polygon_mesh_processing::Face_location`
+  using Vertex = typename Domain::Vertex;     ///< a vertex descriptor, or the index of a surfel
+  using Location = typename Domain::Location; ///< `Geodesic_processing::Location<Surface>`
   using Point_3 = typename Domain::Point_3;
 
   /// Computes the base mesh and the map.
   ///
-  /// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
+  /// \param surface a mesh, all of whose faces are triangles, or a cloud
   /// \param number the number of base vertices; more are added if the topology requires them
   /// \param np parameters of `make_domain()`; `random_seed`, `number_of_relaxation_steps`,
   ///        `first_samples`, `speed_map`, `face_speed_map`, `sharp_angle`,
@@ -113,16 +116,14 @@ public:
   /// Takes near-linear time in the size of the mesh and in the length of the base edges, measured
   /// in edges of the mesh. Exact distances visit each vertex three times.
   template <typename NamedParameters = internal::Default_parameters>
-  Base_parameterization(const TriangleMesh& mesh, std::size_t number,
+  Base_parameterization(const Surface& surface, std::size_t number,
                         const NamedParameters& np = NamedParameters())
-      : Base_parameterization(mesh, Domain(mesh, np), number, np)
+      : Base_parameterization(internal::Domain_of<Surface>(surface, np), number, np)
   {}
-  /// Computes the base mesh and the map of a domain, which admits no maps of edges.
+  /// Computes the base mesh and the map of a domain.
   template <typename NamedParameters = internal::Default_parameters>
-  Base_parameterization(const Domain& domain, std::size_t number,
-                        const NamedParameters& np = NamedParameters())
-      : Base_parameterization(domain, domain, number, np)
-  {}
+  Base_parameterization(const internal::Domain_of<Surface>& domain, std::size_t number,
+                        const NamedParameters& np = NamedParameters());
   /// Returns the number of vertices of the base mesh.
   std::size_t number_of_base_vertices() const { return m_map->base().samples.size(); }
   /// Returns the number of faces of the base mesh.
@@ -155,12 +156,11 @@ public:
   {
     return locate(internal::canonical(*m_domain.triangles(), m_domain.inner(location)));
   }
-  /// Maps a vertex of the mesh to the base mesh. Throws `Invalid_argument_error` if the vertex has
-  /// no face.
-  Base_location operator()(typename Domain::Vertex vertex) const
+  /// Maps a vertex or surfel to the base mesh. Throws `Invalid_argument_error` if the vertex has no
+  /// face.
+  Base_location operator()(Vertex vertex) const
   {
-    return locate(
-        internal::vertex_location(*m_domain.triangles(), m_domain.inner_vertex(vertex).vertex));
+    return locate(internal::canonical(*m_domain.triangles(), m_domain.inner_vertex(vertex)));
   }
   /// Maps a location of the base mesh to the mesh. Takes time proportional to the number of faces
   /// of the divided mesh in its base face.
@@ -175,21 +175,6 @@ public:
   /// @}
 
 private:
-  template <typename Mesh_or_domain, typename NamedParameters>
-  Base_parameterization(const Mesh_or_domain& mesh, const Domain& domain, std::size_t number,
-                        const NamedParameters& np)
-      : m_domain(domain)
-  {
-    auto base = std::make_shared<internal::Base_mesh>(internal::build_base_mesh(
-        m_domain.triangles(), internal::base_mesh_options(mesh, m_domain, number, np)));
-    if(!base->is_finished)
-      throw Cancelled();
-    if(base->triangles.empty())
-      throw Invalid_argument_error("The mesh has no triangles.");
-    m_map = std::make_shared<const internal::Base_map>(
-        std::move(base),
-        internal::parameter(np, internal_np::base_coordinates, Base_coordinates::heron));
-  }
   void check_face(std::size_t face) const
   {
     if(face >= number_of_base_faces())
@@ -215,6 +200,23 @@ private:
   Domain m_domain;
   std::shared_ptr<const internal::Base_map> m_map;
 };
+
+template <typename Surface>
+template <typename NamedParameters>
+Base_parameterization<Surface>::Base_parameterization(const internal::Domain_of<Surface>& domain,
+                                                      std::size_t number, const NamedParameters& np)
+    : m_domain(domain)
+{
+  auto base = std::make_shared<internal::Base_mesh>(internal::build_base_mesh(
+      m_domain.triangles(), internal::base_mesh_options(m_domain, number, np)));
+  if(!base->is_finished)
+    throw Cancelled();
+  if(base->triangles.empty())
+    throw Invalid_argument_error("The mesh has no triangles.");
+  m_map = std::make_shared<const internal::Base_map>(
+      std::move(base),
+      internal::parameter(np, internal_np::base_coordinates, Base_coordinates::heron));
+}
 
 } // namespace CGAL::Geodesic_processing
 

@@ -40,8 +40,9 @@ typename boost::graph_traits<TriangleMesh>::face_descriptor face_of(Halfedge h,
 /// and their edge lengths. It is returned by `make_domain()` and can be passed to functions instead
 /// of the mesh. It is immutable, and copies are cheap, since they share the data.
 ///
-/// A domain stores the descriptors of the mesh, but does not refer to the mesh. If the mesh is
-/// destroyed, the domain can still be used. If the mesh is changed, it cannot.
+/// A domain stores the descriptors of the mesh. If the mesh is changed, the domain cannot be used any
+/// longer. If the mesh is destroyed or moved, it can still be used by all functions that do not read
+/// or write a property map of halfedges or edges.
 /// It takes about 175 bytes per vertex.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -90,6 +91,9 @@ public:
       put(map, m_data->vertices[i], static_cast<Value>(values(i)));
   }
 
+  /// returns the mesh, which must not have been destroyed or moved.
+  const TriangleMesh& mesh() const { return *m_mesh; }
+
   /// \name Conversion between the Mesh and the Kernels
   /// @{
   const std::shared_ptr<const internal::Surface_arrays>& triangles() const { return m_triangles; }
@@ -136,6 +140,7 @@ private:
       values.push_back(get(speed, descriptor));
     return internal::slowness_of(std::move(values));
   }
+  const TriangleMesh* m_mesh;
   std::shared_ptr<const internal::Surface_arrays> m_triangles;
   std::shared_ptr<const Data> m_data;
 };
@@ -143,6 +148,7 @@ private:
 template <typename TriangleMesh>
 template <typename NamedParameters>
 Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedParameters& np)
+    : m_mesh(&mesh)
 {
   using internal::Index;
   static_assert(!internal::has_parameter<NamedParameters, CGAL::internal_np::vertex_index_t> &&

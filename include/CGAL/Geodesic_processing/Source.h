@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/mesh_of.h>
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
 #include <cmath>
@@ -63,14 +64,18 @@ private:
 /// writes a `Source` for each boundary cycle of a triangle mesh: a closed polyline. O(n + b log b)
 /// for b halfedges on the boundary.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam OutputIterator a model of `OutputIterator` for `Source<TriangleMesh>`
-/// \param mesh the mesh
+/// \tparam Mesh a model of `FaceListGraph`, or its domain
+/// \tparam OutputIterator a model of `OutputIterator` for `Source` objects of the mesh
+/// \param mesh_or_domain the mesh, or its domain
 /// \param out receives the sources, in the order of the halfedges
 /// \returns the output iterator past the last source
-template <typename TriangleMesh, typename OutputIterator>
-OutputIterator border_sources(const TriangleMesh& mesh, OutputIterator out)
+template <typename Mesh, typename OutputIterator>
+OutputIterator border_sources(const Mesh& mesh_or_domain, OutputIterator out)
 {
+  using TriangleMesh = Surface_of<Mesh>;
+  static_assert(!internal::Is_cloud<TriangleMesh>::value,
+                "A cloud has no boundary cycles, because its triangles are not connected.");
+  const TriangleMesh& mesh = internal::mesh_of(mesh_or_domain);
   using Graph = boost::graph_traits<TriangleMesh>;
   using Halfedge = typename Graph::halfedge_descriptor;
   // Returns the location of the target vertex of a boundary halfedge, in the face of the opposite

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_SUBDIVISION_WAVELET_H
 #define CGAL_GEODESIC_PROCESSING_SUBDIVISION_WAVELET_H
 
+#include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/channels.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/read_triangles.h>
@@ -66,6 +67,9 @@ struct Wavelet_details
 template <typename TriangleMesh>
 class Subdivision_wavelet
 {
+  static_assert(!internal::Is_cloud<TriangleMesh>::value,
+                "A wavelet transform needs a mesh, because its levels follow from the faces.");
+
 public:
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
@@ -95,6 +99,12 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Subdivision_wavelet(const TriangleMesh& mesh,
                                const NamedParameters& np = NamedParameters());
+  /// Recovers the levels of the mesh of a domain.
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Subdivision_wavelet(const Mesh_domain<TriangleMesh>& domain,
+                               const NamedParameters& np = NamedParameters())
+      : Subdivision_wavelet(domain.mesh(), np)
+  {}
 
   /// \name Levels
   /// @{

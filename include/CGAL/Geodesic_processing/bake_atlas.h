@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/decal.h>
 #include <CGAL/Geodesic_processing/distortion.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/mesh_of.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/texels.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
@@ -27,11 +28,12 @@ namespace CGAL::Geodesic_processing {
 /// Texels outside of a chart, up to half of the gutter away, get the color of the closest location
 /// on the chart. The background is therefore not visible if adjacent texels are interpolated.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam Mesh a model of `FaceListGraph`, or its domain
 /// \tparam UVMap a model of `ReadablePropertyMap` with vertices or halfedges as keys and `Point_2`
 ///         or arrays of two numbers as values
 /// \tparam Color a function object
-/// \param mesh a triangle mesh
+/// \param mesh_or_domain a triangle mesh, or its domain. For a cloud, `texture_atlas()` creates a
+///        mesh, which is passed here.
 /// \param corner_uv_map texture coordinates of halfedges, as `texture_atlas()` writes them
 /// \param color a function that is called with a `Polygon_mesh_processing::Face_location` and
 ///        returns a `Decal_color`
@@ -55,12 +57,16 @@ namespace CGAL::Geodesic_processing {
 /// \throws Invalid_argument_error if the size is zero or too large
 ///
 /// Takes linear time in the number of texels and of faces.
-template <typename TriangleMesh, typename UVMap, typename Color,
+template <typename Mesh, typename UVMap, typename Color,
           typename NamedParameters = internal::Default_parameters>
-std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_map,
+std::vector<Decal_color> bake_atlas(const Mesh& mesh_or_domain, UVMap corner_uv_map,
                                     const Color& color, std::size_t size,
                                     const NamedParameters& np = NamedParameters())
 {
+  using TriangleMesh = Surface_of<Mesh>;
+  static_assert(!internal::Is_cloud<TriangleMesh>::value,
+                "A texture needs a mesh, because a cloud has no faces.");
+  const TriangleMesh& mesh = internal::mesh_of(mesh_or_domain);
   if(!is_triangle_mesh(mesh))
     throw Unsupported_surface_error("A face is not a triangle.");
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> all_faces;

@@ -3,11 +3,12 @@
 #ifndef CGAL_GEODESIC_PROCESSING_DISTORTION_H
 #define CGAL_GEODESIC_PROCESSING_DISTORTION_H
 
+#include <CGAL/Geodesic_processing/Location.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/numerics/singular_values.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -81,20 +82,65 @@ struct Face_distortion
 
 namespace internal {
 
+// True if the keys of a UV map are the halfedges of a mesh.
+template <typename Surface, typename UVMap, bool is_cloud = Is_cloud<Surface>::value>
+inline constexpr bool is_keyed_by_halfedges =
+    std::is_same_v<typename boost::property_traits<UVMap>::key_type,
+                   typename boost::graph_traits<Surface>::halfedge_descriptor>;
+template <typename Cloud, typename UVMap>
+inline constexpr bool is_keyed_by_halfedges<Cloud, UVMap, true> = false;
+
+template <typename Value>
+Vec2 to_vec2(const Value& value)
+{
+  return {CGAL::to_double(value[0]), CGAL::to_double(value[1])};
+}
+
 // Returns the image of the corner that a halfedge points to. The keys of the map are vertices or
 // halfedges.
 template <typename Mesh, typename UVMap>
 Vec2 image_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const Mesh& mesh,
               const UVMap& uv_map)
 {
-  const auto planar = [](const auto& value) -> Vec2 {
-    return {CGAL::to_double(value[0]), CGAL::to_double(value[1])};
-  };
-  using Key = typename boost::property_traits<UVMap>::key_type;
-  if constexpr(std::is_same_v<Key, typename boost::graph_traits<Mesh>::halfedge_descriptor>)
-    return planar(get(uv_map, h));
+  if constexpr(is_keyed_by_halfedges<Mesh, UVMap>)
+    return to_vec2(get(uv_map, h));
   else
-    return planar(get(uv_map, target(h, mesh)));
+    return to_vec2(get(uv_map, target(h, mesh)));
+}
+
+// Returns the images of the corners of a triangle of a domain.
+template <typename Domain, typename UVMap>
+std::array<Vec2, 3> image_of_triangle(const Domain& domain, Index triangle, const UVMap& uv_map)
+{
+  std::array<Vec2, 3> image;
+  if constexpr(is_keyed_by_halfedges<typename Domain::Surface, UVMap>)
+  {
+    const auto& mesh = domain.mesh();
+    auto h = prev(halfedge(domain.face(triangle), mesh), mesh); // points to corner 0
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, mesh))
+      image[k] = to_vec2(get(uv_map, h));
+  }
+  else
+    for(Index k = 0; k < 3; ++k)
+      image[k] = to_vec2(get(uv_map, domain.vertex(domain.triangles()->corner[3 * triangle + k])));
+  return image;
+}
+
+// Computes the distortion of a triangle of a domain.  The area is multiplied by the weight of the
+// triangle.
+template <typename Domain, typename UVMap>
+Face_distortion distortion_of_triangle(const Domain& domain, Index triangle, const UVMap& uv_map)
+{
+  const Surface_arrays& t = *domain.triangles();
+  // The lengths of the arrays are not used, because they have a positive minimum.
+  std::array<double, 3> lengths;
+  for(Index k = 0; k < 3; ++k)
+    lengths[k] = t.scale * norm(t.point[t.corner[3 * triangle + (k + 1) % 3]] -
+                                t.point[t.corner[3 * triangle + k]]);
+  const Singular_values found =
+      singular_values(lengths, image_of_triangle(domain, triangle, uv_map));
+  const double weight = t.weight.empty() ? 1. : double(t.weight[triangle]);
+  return {found.sigma_1, found.sigma_2, found.is_inverted, weight * found.area};
 }
 
 } // namespace internal
@@ -103,54 +149,61 @@ Vec2 image_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const M
 ///
 /// Computes the distortion of a face by a map to the plane.
 ///
-/// \tparam Mesh a model of `FaceListGraph`
+/// \tparam Mesh a model of `FaceListGraph`, or its domain. A cloud has no faces: use
+///         `surface_distortion()` or `flattening_distortion()`.
 /// \tparam UVMap a model of `ReadablePropertyMap` with vertices or halfedges as keys and `Point_2`
 ///         or arrays of two numbers as values
 /// \param face a triangle of `mesh`
-/// \param mesh a model of `FaceListGraph`
+/// \param mesh a model of `FaceListGraph`, or its domain
 /// \param uv_map the UV map: a property map of vertices or of halfedges. For a halfedge it gives
 ///        the image of the corner that the halfedge points to. Values are `Point_2` or arrays.
-/// \param np `vertex_point_map`
+/// \param np `vertex_point_map`; ignored for a domain
 /// \returns the singular values of the map, the area of the face, and whether its image is inverted
 ///
 /// O(1).
 template <typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters>
-Face_distortion face_distortion(typename boost::graph_traits<Mesh>::face_descriptor face,
-                                const Mesh& mesh, UVMap uv_map,
-                                const NamedParameters& np = NamedParameters())
+Face_distortion
+face_distortion(typename boost::graph_traits<Surface_of<Mesh>>::face_descriptor face,
+                const Mesh& mesh, UVMap uv_map, const NamedParameters& np = NamedParameters())
 {
-  const auto points = internal::parameter(np, CGAL::internal_np::vertex_point,
-                                          get_const_property_map(vertex_point, mesh));
-  std::array<internal::Vec2, 3> image;
-  std::array<double, 3> lengths;
-  auto h = halfedge(face, mesh);
-  for(std::size_t k = 0; k < 3; ++k, h = next(h, mesh))
+  if constexpr(!std::is_same_v<Mesh, Surface_of<Mesh>>)
   {
-    // Edge k begins at the corner that h points to and ends at the next corner.
-    image[k] = internal::image_of(h, mesh, uv_map);
-    const auto& p = get(points, target(h, mesh));
-    const auto& q = get(points, target(next(h, mesh), mesh));
-    lengths[k] = std::hypot(CGAL::to_double(q.x()) - CGAL::to_double(p.x()),
-                            CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
-                            CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
+    (void)np;
+    return internal::distortion_of_triangle(mesh, mesh.triangle(face), uv_map);
   }
-  const internal::Singular_values found = internal::singular_values(lengths, image);
-  return {found.sigma_1, found.sigma_2, found.is_inverted, found.area};
+  else
+  {
+    const auto points = internal::parameter(np, CGAL::internal_np::vertex_point,
+                                            get_const_property_map(vertex_point, mesh));
+    std::array<internal::Vec2, 3> image;
+    std::array<double, 3> lengths;
+    auto h = halfedge(face, mesh);
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, mesh))
+    {
+      // Edge k begins at the corner that h points to and ends at the next corner.
+      image[k] = internal::image_of(h, mesh, uv_map);
+      const auto& p = get(points, target(h, mesh));
+      const auto& q = get(points, target(next(h, mesh), mesh));
+      lengths[k] = std::hypot(CGAL::to_double(q.x()) - CGAL::to_double(p.x()),
+                              CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
+                              CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
+    }
+    const internal::Singular_values found = internal::singular_values(lengths, image);
+    return {found.sigma_1, found.sigma_2, found.is_inverted, found.area};
+  }
 }
 
 /// \ingroup PkgGeodesicProcessingLogMap
-/// A distortion measure, summarized over all faces that have an image.
-template <typename Mesh>
-struct Mesh_distortion
+/// A distortion measure, summarized over all triangles that have an image.
+template <typename Surface>
+struct Surface_distortion
 {
-  using Face = typename boost::graph_traits<Mesh>::face_descriptor;
-
-  double integral = 0.; ///< the integral of the measure over the area of the faces
-  double area = 0.;     ///< the total area of these faces
+  double integral = 0.; ///< the integral of the measure over the area of the triangles
+  double area = 0.;     ///< the total area of these triangles
   double worst = 0.;    ///< the largest value of the measure
-  Face worst_face = boost::graph_traits<Mesh>::null_face();
-  std::size_t number_of_faces = 0;
-  std::size_t number_of_folded_faces = 0;
+  Location<Surface> worst_location{}; ///< the center of a triangle with this value
+  std::size_t number_of_triangles = 0;
+  std::size_t number_of_folded_triangles = 0;
 
   /// Returns the mean of the measure, weighted by area.
   double mean() const { return integral / area; }
@@ -158,49 +211,56 @@ struct Mesh_distortion
 
 /// \ingroup PkgGeodesicProcessingLogMap
 ///
-/// Computes the integral, the mean and the maximum of a distortion measure over a mesh.
+/// Computes the integral, the mean and the maximum of a distortion measure over a surface.
 ///
-/// \tparam Mesh a model of `FaceListGraph`
-/// \tparam UVMap a model of `ReadablePropertyMap` with vertices or halfedges as keys and `Point_2`
-///         or arrays of two numbers as values
+/// The triangles of a cloud overlap. Their areas are weighted such that the sum is the area of the
+/// surface.
+///
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam UVMap a model of `ReadablePropertyMap` with vertices, surfels or halfedges as keys and
+///         `Point_2` or arrays of two numbers as values
 /// \tparam Measure a function object, or a pointer to a member of `Face_distortion`
-/// \param mesh a triangle mesh
-/// \param uv_map as for `face_distortion()`. If a corner of a face has NaN coordinates, the face is
-///        ignored. These are the faces outside of the domain of a logarithmic map.
+/// \param surface as for `geodesic_distances()`
+/// \param uv_map as for `face_distortion()`. If a corner of a triangle has NaN coordinates, the
+///        triangle is ignored. These are the triangles outside of the domain of a logarithmic map.
 /// \param measure a function of a `Face_distortion`, such as `&Face_distortion::conformal`
-/// \param np `vertex_point_map`
-/// \returns the integral, the maximum and the numbers of faces
+/// \param np the named parameters of `make_domain()`
+/// \returns the integral, the maximum and the numbers of triangles
+/// \throws as `make_domain()`
 ///
-/// O(n).
-template <typename Mesh, typename UVMap, typename Measure,
+/// O(n) after `make_domain()`.
+template <typename Surface, typename UVMap, typename Measure,
           typename NamedParameters = internal::Default_parameters>
-Mesh_distortion<Mesh> mesh_distortion(const Mesh& mesh, UVMap uv_map, Measure measure,
-                                      const NamedParameters& np = NamedParameters())
+Surface_distortion<Surface_of<Surface>>
+surface_distortion(const Surface& surface, UVMap uv_map, Measure measure,
+                   const NamedParameters& np = NamedParameters())
 {
-  Mesh_distortion<Mesh> result;
-  for(const auto face : faces(mesh))
+  const auto domain = make_domain(surface, np);
+  Surface_distortion<Surface_of<Surface>> result;
+  for(internal::Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
   {
-    const Face_distortion distortion = face_distortion(face, mesh, uv_map, np);
+    const Face_distortion distortion = internal::distortion_of_triangle(domain, f, uv_map);
     if(std::isnan(distortion.sigma_1))
       continue;
     const double value = std::invoke(measure, distortion);
     result.integral += distortion.area * value;
     result.area += distortion.area;
-    if(result.number_of_faces++ == 0 || value > result.worst)
+    if(result.number_of_triangles++ == 0 || value > result.worst)
     {
       result.worst = value;
-      result.worst_face = face;
+      result.worst_location = domain.outer({f, internal::none, {1. / 3., 1. / 3., 1. / 3.}});
     }
-    result.number_of_folded_faces += distortion.is_folded;
+    result.number_of_folded_triangles += distortion.is_folded;
   }
   return result;
 }
 
 /// \ingroup PkgGeodesicProcessingLogMap
-/// The distortion of a mesh by a map to the plane, in the usual measures for comparing flattenings.
+/// The distortion of a surface by a map to the plane, in the usual measures for comparing
+/// flattenings.
 ///
-/// All values refer to the map scaled to the area of the mesh. Means are weighted by the area of
-/// the faces.
+/// All values refer to the map scaled to the area of the surface. Means are weighted by the area of
+/// the triangles.
 struct Flattening_distortion
 {
   /// The distortion of angles: the square root of the mean of
@@ -213,37 +273,40 @@ struct Flattening_distortion
       0.;                   ///< the mean of `Face_distortion::symmetric_dirichlet()`, at least 4
   double l2_stretch = 0.;   ///< the square root of the mean of `Face_distortion::dirichlet()`
   double linf_stretch = 0.; ///< the maximum of `Face_distortion::linf_stretch()`
-  /// The number of faces of positive area whose image is inverted or has no area.
+  /// The number of triangles of positive area whose image is inverted or has no area.
   std::size_t number_of_flips = 0;
-  /// The number of faces of positive area that have an image.
-  std::size_t number_of_faces = 0;
+  /// The number of triangles of positive area that have an image.
+  std::size_t number_of_triangles = 0;
 };
 
 /// \ingroup PkgGeodesicProcessingLogMap
 ///
-/// Computes the distortion of a mesh by a map to the plane, independently of the map's scale.
+/// Computes the distortion of a surface by a map to the plane, independently of the map's scale.
 ///
-/// Faces without area are ignored. If the image of any other face has no area, the means are
-/// infinite.
+/// Triangles without area are ignored. If the image of any other triangle has no area, the means are
+/// infinite. The triangles of a cloud overlap, and their areas are weighted as by
+/// `surface_distortion()`.
 ///
-/// \tparam Mesh a model of `FaceListGraph`
-/// \tparam UVMap a model of `ReadablePropertyMap` with vertices or halfedges as keys and `Point_2`
-///         or arrays of two numbers as values
-/// \param mesh a triangle mesh
-/// \param uv_map as for `mesh_distortion()`
-/// \param np `vertex_point_map`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam UVMap a model of `ReadablePropertyMap` with vertices, surfels or halfedges as keys and
+///         `Point_2` or arrays of two numbers as values
+/// \param surface as for `geodesic_distances()`
+/// \param uv_map as for `surface_distortion()`
+/// \param np the named parameters of `make_domain()`
 /// \returns the distortion in several measures
+/// \throws as `make_domain()`
 ///
-/// O(n).
-template <typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters>
-Flattening_distortion flattening_distortion(const Mesh& mesh, UVMap uv_map,
+/// O(n) after `make_domain()`.
+template <typename Surface, typename UVMap, typename NamedParameters = internal::Default_parameters>
+Flattening_distortion flattening_distortion(const Surface& surface, UVMap uv_map,
                                             const NamedParameters& np = NamedParameters())
 {
+  const auto domain = make_domain(surface, np);
   const auto for_each = [&](auto f)
   {
-    for(const auto face : faces(mesh))
+    for(internal::Index i = 0; i < domain.triangles()->number_of_triangles(); ++i)
     {
-      const Face_distortion distortion = face_distortion(face, mesh, uv_map, np);
+      const Face_distortion distortion = internal::distortion_of_triangle(domain, i, uv_map);
       if(distortion.area > 0. && !std::isnan(distortion.sigma_1))
         f(distortion);
     }
@@ -261,7 +324,7 @@ Flattening_distortion flattening_distortion(const Mesh& mesh, UVMap uv_map,
   for_each(
       [&](Face_distortion face)
       {
-        ++result.number_of_faces;
+        ++result.number_of_triangles;
         result.number_of_flips += face.is_folded || std::isinf(face.sigma_1);
         face.sigma_1 *= scale;
         face.sigma_2 *= scale;

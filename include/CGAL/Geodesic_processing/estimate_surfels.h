@@ -80,6 +80,8 @@ template <typename Concurrency_tag = Sequential_tag, typename Points,
           typename NamedParameters = internal::Default_parameters>
 std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedParameters())
 {
+  static_assert(internal::Is_cloud<Points>::value,
+                "Surfels are estimated from a range of points. Meshes and domains have normals.");
   using internal::parameter;
   constexpr bool has_radii = internal::has_parameter<NamedParameters, internal_np::radius_map_t>;
   const auto estimate = [&](const auto& point_map, auto normal_map, auto radius_map)

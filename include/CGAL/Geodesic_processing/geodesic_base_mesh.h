@@ -21,14 +21,15 @@ namespace CGAL::Geodesic_processing {
 /// Each base face is the union of a set of faces of that copy: a disk bounded by its three base
 /// edges. Base edges are locally shortest. They keep a distance of about 1/200 of a mesh edge from
 /// vertices and from each other, so they meet in base vertices only. The genus, boundary cycles and
-/// connected components are the same as for the mesh.
+/// connected components are the same as for the mesh. A cloud is reconstructed first, as for
+/// `geodesic_delaunay_remeshing()`: then `divided` is a copy of the reconstructed mesh.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph`, or its domain
+/// \tparam Surface as for `geodesic_distances()`
 /// \tparam BaseMesh a model of `MutableFaceGraph`
 /// \tparam DividedMesh a model of `MutableFaceGraph`
 /// \tparam BaseFaceMap a model of `WritablePropertyMap` with faces of `DividedMesh` as keys and
 ///         faces of `BaseMesh` as values
-/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles, or its domain
+/// \param surface as for `geodesic_distances()`
 /// \param number the number of base vertices; 0 requests the minimum that the topology requires
 /// \param base a model of `MutableFaceGraph`, to which base vertices and faces are added
 /// \param divided a model of `MutableFaceGraph`, to which the vertices and faces of the split mesh
@@ -39,18 +40,16 @@ namespace CGAL::Geodesic_processing {
 /// \throws as `Base_parameterization`
 ///
 /// The time is that of `Base_parameterization`.
-template <typename TriangleMesh, typename BaseMesh, typename DividedMesh, typename BaseFaceMap,
+template <typename Surface, typename BaseMesh, typename DividedMesh, typename BaseFaceMap,
           typename NamedParameters = internal::Default_parameters>
-Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number, BaseMesh& base,
+Remeshing_result geodesic_base_mesh(const Surface& surface, std::size_t number, BaseMesh& base,
                                     DividedMesh& divided, BaseFaceMap base_face_map,
                                     const NamedParameters& np = NamedParameters())
 {
-  const auto domain = make_domain(mesh, np);
-  static_assert(!internal::Is_cloud<Surface_of<TriangleMesh>>::value,
-                "A base mesh needs a mesh, because the triangles of a cloud overlap: use "
-                "geodesic_delaunay_remeshing() first.");
+  const auto input_domain = make_domain(surface, np);
+  const auto& domain = internal::manifold_domain(input_domain);
   const internal::Base_mesh found = internal::build_base_mesh(
-      domain.triangles(), internal::base_mesh_options(mesh, domain, number, np));
+      domain.triangles(), internal::base_mesh_options(domain, number, np));
   if(!found.is_finished)
     throw Cancelled();
   if(found.triangles.empty())
@@ -58,30 +57,13 @@ Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number
   Remeshing_result result;
   result.number_of_added_vertices = found.samples.size() - (std::min)(number, found.samples.size());
 
-  const internal::Surface_arrays& fine = found.fine;
-  const auto position = [&](internal::Index vertex) {
-    return internal::coordinates(fine, {internal::none, vertex, {}});
-  };
   std::vector<std::array<double, 3>> base_points;
   for(const internal::Index vertex : found.vertex)
-    base_points.push_back(position(vertex));
+    base_points.push_back(internal::coordinates(found.fine, {internal::none, vertex, {}}));
   const auto base_faces = internal::add_faces(base_points, found.triangles, base);
 
-  // Vertices without triangles are omitted.
-  std::vector<internal::Index> vertex_index(fine.number_of_vertices(), internal::none);
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<internal::Index, 3>> triangles(fine.number_of_triangles());
-  for(internal::Index corner = 0; corner < fine.corner.size(); ++corner)
-  {
-    internal::Index& known = vertex_index[fine.corner[corner]];
-    if(known == internal::none)
-    {
-      known = internal::Index(points.size());
-      points.push_back(position(fine.corner[corner]));
-    }
-    triangles[corner / 3][corner % 3] = known;
-  }
-  const auto faces = internal::add_faces(points, triangles, divided);
+  const internal::Used_triangles fine = internal::used_triangles(found.fine);
+  const auto faces = internal::add_faces(fine.points, fine.triangles, divided);
   for(std::size_t f = 0; f < faces.size(); ++f)
     put(base_face_map, faces[f], base_faces[found.region[f]]);
   return result;

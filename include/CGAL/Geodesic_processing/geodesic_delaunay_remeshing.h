@@ -197,7 +197,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
 {
   const auto input_domain = make_domain(surface, np);
   const auto& domain = internal::manifold_domain(input_domain);
-  internal::Remeshing_options options = internal::remeshing_options(surface, domain, number, np);
+  internal::Remeshing_options options = internal::remeshing_options(domain, number, np);
   options.does_avoid_self_intersections =
       internal::parameter(np, internal_np::do_avoid_self_intersections, true);
   const internal::Remeshing found = internal::remesh(domain.triangles(), options);

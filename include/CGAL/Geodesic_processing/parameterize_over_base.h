@@ -11,34 +11,38 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
-/// Maps the vertices of a mesh to a base mesh with few triangles.
+/// Maps the vertices of a mesh, or the surfels of a cloud, to a base mesh with few triangles.
 ///
 /// The returned `Base_parameterization` also maps all other locations.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph`, or its domain
-/// \tparam BaseLocationMap a model of `WritablePropertyMap` with vertices as keys and
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam BaseLocationMap a model of `WritablePropertyMap` with vertices or surfels as keys and
 ///         `Base_location` as values
-/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles, or its domain
+/// \param surface as for `geodesic_distances()`
 /// \param number the number of base vertices
-/// \param base_location_map receives for each vertex its `Base_location`; vertices without faces
-///        are not written
+/// \param base_location_map receives for each vertex or surfel its `Base_location`; vertices without
+///        faces are not written
 /// \param np as for `Base_parameterization`
-/// \returns the map between the mesh and the base mesh
+/// \returns the map between the surface and the base mesh
 /// \throws as `Base_parameterization`
 ///
 /// The time is that of `Base_parameterization`.
-template <typename TriangleMesh, typename BaseLocationMap,
+template <typename Surface, typename BaseLocationMap,
           typename NamedParameters = internal::Default_parameters>
-Base_parameterization<Surface_of<TriangleMesh>>
-parameterize_over_base(const TriangleMesh& mesh, std::size_t number,
+Base_parameterization<Surface_of<Surface>>
+parameterize_over_base(const Surface& surface, std::size_t number,
                        BaseLocationMap base_location_map,
                        const NamedParameters& np = NamedParameters())
 {
-  Base_parameterization<Surface_of<TriangleMesh>> result(mesh, number, np);
+  Base_parameterization<Surface_of<Surface>> result(surface, number, np);
   const auto& domain = result.domain();
   for(internal::Index i = 0; i < domain.number_of_vertices(); ++i)
-    if(internal::vertex_location(*domain.triangles(), i).triangle != internal::none)
-      put(base_location_map, domain.vertex(i), result(domain.vertex(i)));
+  {
+    const auto vertex = domain.vertex(i);
+    if(internal::canonical(*domain.triangles(), domain.inner_vertex(vertex)).triangle !=
+       internal::none)
+      put(base_location_map, vertex, result(vertex));
+  }
   return result;
 }
 

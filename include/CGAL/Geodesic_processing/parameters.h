@@ -189,6 +189,15 @@ auto parameter(const NamedParameters& np, Tag tag, Default otherwise)
                                             std::move(otherwise));
 }
 
+template <typename T, typename Tag, typename Base>
+std::true_type test_named_parameters(const CGAL::Named_function_parameters<T, Tag, Base>*);
+std::false_type test_named_parameters(const void*);
+
+// True for the type of any chain of named parameters.
+template <typename T>
+inline constexpr bool is_named_parameters =
+    decltype(test_named_parameters(static_cast<const T*>(nullptr)))::value;
+
 template <typename NamedParameters, typename Tag>
 inline constexpr bool has_parameter =
     !std::is_same_v<std::decay_t<decltype(CGAL::parameters::get_parameter(

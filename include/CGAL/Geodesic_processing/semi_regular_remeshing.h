@@ -46,9 +46,11 @@ struct Semi_regular_result
 /// order. Faces \f$4f\f$ to \f$4f+3\f$ are the parts of face \f$f\f$ of the previous level. Quads
 /// \f$3f\f$ to \f$3f+2\f$ of level 0 are the parts of base face \f$f\f$.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph`, or its domain
+/// A cloud is reconstructed first, as for `geodesic_delaunay_remeshing()`.
+///
+/// \tparam Surface as for `geodesic_distances()`
 /// \tparam OutputMesh a model of `MutableFaceGraph`
-/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles, or its domain
+/// \param surface as for `geodesic_distances()`
 /// \param number the number of base vertices
 /// \param levels the number of 1-to-4 refinements
 /// \param output a model of `MutableFaceGraph`, to which the vertices and faces are added
@@ -81,9 +83,9 @@ struct Semi_regular_result
 ///         2<SUP>31</SUP> halfedges, and if quads are combined with a maximum deviation
 ///
 /// The time is that of `Base_parameterization`, and linear in the size of the output.
-template <typename TriangleMesh, typename OutputMesh,
+template <typename Surface, typename OutputMesh,
           typename NamedParameters = internal::Default_parameters>
-Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t number,
+Semi_regular_result semi_regular_remeshing(const Surface& surface, std::size_t number,
                                            unsigned levels, OutputMesh& output,
                                            const NamedParameters& np = NamedParameters())
 {
@@ -96,7 +98,7 @@ Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t
   if(has_quads && deviation > 0.)
     throw Invalid_argument_error(
         "A maximum deviation is supported only for triangles, not for quads.");
-  const Base_parameterization<Surface_of<TriangleMesh>> base(mesh, number, np);
+  const Base_parameterization<Surface_of<Surface>> base(surface, number, np);
   const internal::Surface_arrays& coarse = *base.domain().triangles();
   const internal::Semi_regular_mesh found =
       has_quads

@@ -6,6 +6,8 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/atlas.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/Reconstructed_domain.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/add_faces.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
@@ -13,6 +15,7 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL::Geodesic_processing {
 
@@ -34,6 +37,65 @@ struct Texture_atlas
   bool is_injective() const { return number_of_flips == 0 && number_of_overlaps == 0; }
 };
 
+namespace internal {
+
+// Computes the atlas of a mesh or of a reconstructed surface as the named parameters specify.
+template <typename Method, typename Concurrency_tag, typename Domain, typename NamedParameters>
+Atlas compute_atlas(const Domain& domain, std::size_t number, const NamedParameters& np)
+{
+  static_assert(is_front<Method>,
+                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
+  if(number == 0)
+    throw Invalid_argument_error("The number of charts must be positive.");
+  const Front_limits front_limits = limits(domain, np);
+  Atlas_options options;
+  options.tessellation.number_of_cells = number;
+  options.tessellation.max_steps = parameter(np, internal_np::maximum_number_of_iterations, 5u);
+  options.tessellation.seed = unsigned(parameter(np, CGAL::internal_np::random_seed, 0u));
+  options.tessellation.number_of_threads = number_of_threads<Concurrency_tag>(np);
+  options.tessellation.callback = front_limits.callback;
+  options.texels = parameter(np, internal_np::texture_size, options.texels);
+  options.gutter = parameter(np, internal_np::gutter_width, options.gutter);
+  Atlas result = make_atlas(domain.triangles(), Front(domain.triangles(), front_kind<Method>()),
+                            front_limits.slowness, options);
+  if(!result.is_complete)
+    throw Cancelled();
+  return result;
+}
+
+// Writes the texture coordinates and the charts of a mesh and returns the summary.
+//
+// first_halfedge  a function of a triangle of the atlas: the halfedge that begins at its corner 0
+// scale           the unit of the arrays
+template <typename TriangleMesh, typename First_halfedge, typename UVMap, typename NamedParameters>
+Texture_atlas write_atlas(const Atlas& atlas, const TriangleMesh& mesh,
+                          const First_halfedge& first_halfedge, double scale, UVMap& corner_uv_map,
+                          const NamedParameters& np)
+{
+  using Value = typename boost::property_traits<UVMap>::value_type;
+  for(Index f = 0; f < atlas.chart.size(); ++f)
+  {
+    // Halfedge k begins at corner k, so it points to corner k + 1.
+    auto h = first_halfedge(f);
+    for(Index k = 0; k < 3; ++k, h = next(h, mesh))
+    {
+      const Vec2& p = atlas.coordinates[3 * f + (k + 1) % 3];
+      put(corner_uv_map, h, planar_value<Value>(p[0], p[1]));
+    }
+    if constexpr(has_parameter<NamedParameters, internal_np::chart_map_t>)
+      put(parameter(np, internal_np::chart_map, 0), face_of(h, mesh), std::size_t(atlas.chart[f]));
+  }
+  Texture_atlas result;
+  result.number_of_charts = atlas.number_of_charts;
+  result.number_of_flips = atlas.number_of_flips;
+  result.number_of_overlaps = atlas.number_of_overlaps;
+  result.coverage = atlas.coverage;
+  result.texels_per_length = atlas.texels_per_length / scale;
+  return result;
+}
+
+} // namespace internal
+
 /// \ingroup PkgGeodesicProcessingAtlas
 ///
 /// Computes a texture atlas: cuts a mesh into charts of about equal size, flattens them, and packs
@@ -51,10 +113,10 @@ struct Texture_atlas
 ///         tessellation
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`, which
 ///         processes several charts at a time, with the same result
-/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam Mesh a model of `FaceListGraph`, or its domain
 /// \tparam UVMap a model of `WritablePropertyMap` with halfedges as keys and `Point_2` or arrays of
 ///         two numbers as values
-/// \param mesh a triangle mesh of any topology, with any number of components and boundary cycles
+/// \param mesh a triangle mesh, or its domain, of any topology, with any number of components and boundary cycles
 /// \param number the initial number of charts. More are created if cells are not disks, or if
 ///        charts would overlap themselves or stretch lengths by a mean factor of two. Components
 ///        without a chart also get one
@@ -117,58 +179,82 @@ struct Texture_atlas
 /// The tessellation and Newton's method each take about half of the time. Newton's method
 /// factorizes a sparse matrix with two unknowns per vertex of a chart, at most 20 times.
 template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
-          typename TriangleMesh, typename UVMap,
-          typename NamedParameters = internal::Default_parameters>
-Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap corner_uv_map,
+          typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters,
+          std::enable_if_t<internal::is_named_parameters<NamedParameters>, bool> = true>
+Texture_atlas texture_atlas(const Mesh& mesh, std::size_t number, UVMap corner_uv_map,
                             const NamedParameters& np = NamedParameters())
 {
-  static_assert(internal::is_front<Method>,
-                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
-  using Value = typename boost::property_traits<UVMap>::value_type;
-  static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "A texture atlas needs a mesh, because a cloud has no faces.");
-  if(number == 0)
-    throw Invalid_argument_error("The number of charts must be positive.");
+  static_assert(!internal::Is_cloud<Surface_of<Mesh>>::value,
+                "Texture coordinates need faces, which a cloud does not have: pass a mesh that "
+                "receives the reconstructed surface as third argument.");
   const auto domain = make_domain(mesh, np);
-  const internal::Front_limits front_limits = internal::limits(domain, np);
-  internal::Atlas_options options;
-  options.tessellation.number_of_cells = number;
-  options.tessellation.max_steps =
-      internal::parameter(np, internal_np::maximum_number_of_iterations, 5u);
-  options.tessellation.seed = unsigned(internal::parameter(np, CGAL::internal_np::random_seed, 0u));
-  options.tessellation.number_of_threads = internal::number_of_threads<Concurrency_tag>(np);
-  options.tessellation.callback = front_limits.callback;
-  options.texels = internal::parameter(np, internal_np::texture_size, options.texels);
-  options.gutter = internal::parameter(np, internal_np::gutter_width, options.gutter);
-  const internal::Atlas found = internal::make_atlas(
-      domain.triangles(), internal::Front(domain.triangles(), internal::front_kind<Method>()),
-      front_limits.slowness, options);
+  const internal::Atlas atlas =
+      internal::compute_atlas<Method, Concurrency_tag>(domain, number, np);
+  return internal::write_atlas(
+      atlas, domain.mesh(),
+      [&](internal::Index f) { return halfedge(domain.face(f), domain.mesh()); },
+      domain.triangles()->scale, corner_uv_map, np);
+}
 
-  if(!found.is_complete)
-    throw Cancelled();
-  Texture_atlas result;
-  for(internal::Index f = 0; f < found.chart.size(); ++f)
-  {
-    // Halfedge k begins at corner k, so it points to corner k + 1.
-    auto h = halfedge(domain.face(f), mesh);
-    for(internal::Index k = 0; k < 3; ++k, h = next(h, mesh))
-    {
-      const internal::Vec2& p = found.coordinates[3 * f + (k + 1) % 3];
-      put(corner_uv_map, h, internal::planar_value<Value>(p[0], p[1]));
-    }
-  }
-  if constexpr(internal::has_parameter<NamedParameters, internal_np::chart_map_t>)
-  {
-    auto chart_map = internal::parameter(np, internal_np::chart_map, 0);
-    for(internal::Index f = 0; f < found.chart.size(); ++f)
-      put(chart_map, domain.face(f), std::size_t(found.chart[f]));
-  }
-  result.number_of_charts = found.number_of_charts;
-  result.number_of_flips = found.number_of_flips;
-  result.number_of_overlaps = found.number_of_overlaps;
-  result.coverage = found.coverage;
-  result.texels_per_length = found.texels_per_length / domain.triangles()->scale;
-  return result;
+/// \ingroup PkgGeodesicProcessingAtlas
+///
+/// Computes a texture atlas of a cloud: reconstructs a mesh, as `geodesic_delaunay_remeshing()`, and
+/// computes its atlas.
+///
+/// \tparam Method as for a mesh
+/// \tparam Concurrency_tag as for a mesh
+/// \tparam Cloud a model of `SurfelRange`, or its domain
+/// \tparam OutputMesh a model of `MutableFaceGraph`
+/// \tparam UVMap as for a mesh, with halfedges of `OutputMesh` as keys
+/// \param cloud a clean cloud, or its domain
+/// \param number as for a mesh
+/// \param output receives the reconstructed mesh. Its vertices are surfels
+/// \param corner_uv_map receives for each halfedge of a new face of `output` the texture coordinates
+///        of the corner that it points to
+/// \param np as for a mesh, and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{location_map}
+///     \cgalParamDescription{receives for each vertex of `output` its location on the cloud}
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices of `output` as keys and
+///       `Location<Cloud>` as values}
+///     \cgalParamDefault{nothing is written}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \returns as for a mesh
+/// \throws Unsupported_surface_error if no surface can be reconstructed from the surfels, or if it
+///         has too many components
+/// \throws as for a mesh
+///
+/// The time is that for a mesh, and O(n log n) for the reconstruction.
+template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
+          typename Cloud, typename OutputMesh, typename UVMap,
+          typename NamedParameters = internal::Default_parameters,
+          std::enable_if_t<!internal::is_named_parameters<UVMap>, bool> = true>
+Texture_atlas texture_atlas(const Cloud& cloud, std::size_t number, OutputMesh& output,
+                            UVMap corner_uv_map, const NamedParameters& np = NamedParameters())
+{
+  static_assert(internal::Is_cloud<Surface_of<Cloud>>::value,
+                "An output mesh is needed only for a cloud: a mesh has faces of its own.");
+  const internal::Reconstructed_domain<Surface_of<Cloud>> domain(make_domain(cloud, np));
+  const internal::Atlas atlas =
+      internal::compute_atlas<Method, Concurrency_tag>(domain, number, np);
+
+  const internal::Used_triangles used = internal::used_triangles(*domain.triangles());
+  std::vector<typename boost::graph_traits<OutputMesh>::vertex_descriptor> vertices;
+  internal::add_faces(used.points, used.triangles, output, &vertices);
+  if constexpr(internal::has_parameter<NamedParameters, internal_np::location_map_t>)
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      put(internal::parameter(np, internal_np::location_map, 0), vertices[i],
+          Location<Surface_of<Cloud>>{domain.vertex(used.vertices[i]), {0., 0.}});
+  return internal::write_atlas(
+      atlas, output,
+      [&](internal::Index f)
+      {
+        const auto& corners = used.triangles[f];
+        return halfedge(vertices[corners[0]], vertices[corners[1]], output).first;
+      },
+      domain.triangles()->scale, corner_uv_map, np);
 }
 
 } // namespace CGAL::Geodesic_processing

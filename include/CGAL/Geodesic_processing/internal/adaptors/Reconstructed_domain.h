@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,25 +26,21 @@ public:
   using Surface = SurfelRange;
   using Vertex = typename Cloud::Vertex;
   using Location = typename Cloud::Location;
+  using Point_3 = typename Cloud::Point_3;
 
   // Throws Unsupported_surface_error if the reconstructed surface has no triangles.
   explicit Reconstructed_domain(const Cloud& cloud)
-      : m_cloud(cloud), m_cloud_locator(cloud), m_mesh(reconstruct_surface(cloud.surfels())),
-        m_triangles(std::make_shared<const Surface_arrays>(std::move(m_mesh.arrays))),
-        m_tree(m_triangles)
-  {
-    if(m_triangles->number_of_triangles() == 0)
-      throw Unsupported_surface_error(
-          "No surface can be reconstructed: no three surfels are close enough to each other.");
-  }
+      : Reconstructed_domain(cloud, reconstruct_surface(cloud.surfels()))
+  {}
 
   const std::shared_ptr<const Surface_arrays>& triangles() const { return m_triangles; }
+  std::size_t number_of_vertices() const { return m_cloud.number_of_vertices(); }
+  Vertex vertex(Index index) const { return m_cloud.vertex((*m_vertex_of_cloud)[index]); }
 
   // Returns the closest location on the reconstructed surface.  Not every surfel is a vertex of it.
   internal::Surface_location inner(const Location& location) const
   {
-    const auto p = m_cloud.point(m_cloud.inner(location));
-    return m_tree.nearest({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+    return m_tree.nearest(coordinates(*m_cloud.triangles(), m_cloud.inner(location)));
   }
   internal::Surface_location inner_vertex(Vertex surfel) const
   {
@@ -52,27 +49,48 @@ public:
   // Returns the location on the cloud that is closest to a location of the reconstructed surface.
   Location outer(const internal::Surface_location& location) const
   {
+    return m_cloud_locator(point(location));
+  }
+  Point_3 point(const internal::Surface_location& location) const
+  {
     const auto p = coordinates(*m_triangles, location);
-    return m_cloud_locator(typename Cloud::Point_3(p[0], p[1], p[2]));
+    return Point_3(p[0], p[1], p[2]);
   }
 
   // Computes the slowness of each triangle from the speeds of the surfels.
   template <typename SpeedMap>
   std::vector<double> slowness(SpeedMap speed) const
   {
-    std::vector<double> values(m_mesh.internal_vertex.size());
-    for(Index vertex = 0; vertex < values.size(); ++vertex)
-      values[m_mesh.internal_vertex[vertex]] = get(speed, m_cloud.vertex(vertex));
+    std::vector<double> values;
+    for(Index i = 0; i < number_of_vertices(); ++i)
+      values.push_back(get(speed, vertex(i)));
     return mean_over_corners(*m_triangles, slowness_of(std::move(values)));
   }
 
 private:
+  Reconstructed_domain(const Cloud& cloud, Mesh_arrays mesh)
+      : m_cloud(cloud), m_cloud_locator(cloud),
+        m_vertex_of_cloud(
+            std::make_shared<const std::vector<Index>>(std::move(mesh.caller_vertex))),
+        m_triangles(std::make_shared<const Surface_arrays>(std::move(mesh.arrays))),
+        m_tree(m_triangles)
+  {
+    if(m_triangles->number_of_triangles() == 0)
+      throw Unsupported_surface_error(
+          "No surface can be reconstructed: no three surfels are close enough to each other.");
+  }
+
   Cloud m_cloud;
   Surface_locator<Surface> m_cloud_locator;
-  Mesh_arrays m_mesh; // its vertices are those of the cloud; its arrays are moved to m_triangles
+  std::shared_ptr<const std::vector<Index>> m_vertex_of_cloud; // #vertices
   std::shared_ptr<const Surface_arrays> m_triangles;
   Triangle_tree m_tree;
 };
+
+// The domain of a surface for algorithms that require a manifold.
+template <typename Surface>
+using Manifold_domain_of = std::conditional_t<Is_cloud<Surface>::value,
+                                              Reconstructed_domain<Surface>, Mesh_domain<Surface>>;
 
 // Returns the domain of a mesh itself, or the reconstructed domain of a cloud.
 template <typename TriangleMesh>

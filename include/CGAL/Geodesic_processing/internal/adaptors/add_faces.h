@@ -3,6 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_ADD_FACES_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_ADD_FACES_H
 
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -45,6 +48,33 @@ auto add_faces(
   if(vertices)
     *vertices = std::move(added);
   return faces;
+}
+
+// The triangles of a surface and their corners, without isolated vertices.
+struct Used_triangles
+{
+  std::vector<Index> vertices;                 // the vertices of the surface that have triangles
+  std::vector<std::array<double, 3>> points;   // their coordinates, in the unit of the caller
+  std::vector<std::array<Index, 3>> triangles; // #triangles: indices of `vertices`
+};
+
+inline Used_triangles used_triangles(const Surface_arrays& surface)
+{
+  Used_triangles result;
+  result.triangles.resize(surface.number_of_triangles());
+  std::vector<Index> position(surface.number_of_vertices(), none);
+  for(std::size_t i = 0; i < surface.corner.size(); ++i)
+  {
+    const Index vertex = surface.corner[i];
+    if(position[vertex] == none)
+    {
+      position[vertex] = static_cast<Index>(result.vertices.size());
+      result.vertices.push_back(vertex);
+      result.points.push_back(coordinates(surface, {none, vertex, {}}));
+    }
+    result.triangles[i / 3][i % 3] = position[vertex];
+  }
+  return result;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

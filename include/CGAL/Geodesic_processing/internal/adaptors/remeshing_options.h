@@ -19,41 +19,39 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Calls visit(h, value) for each halfedge of the domain with the value of its edge in an edge map
 // of the mesh.
-template <typename Surface, typename Domain, typename EdgeMap, typename Visitor>
-void for_each_halfedge(const Surface& surface, const Domain& domain, const EdgeMap& map,
-                       const Visitor& visit)
+template <typename Domain, typename EdgeMap, typename Visitor>
+void for_each_halfedge(const Domain& domain, const EdgeMap& map, const Visitor& visit)
 {
-  static_assert(std::is_same_v<Surface, typename Domain::Surface> && !Is_cloud<Surface>::value,
-                "An edge map requires the mesh itself, neither its domain nor a cloud.");
+  static_assert(!Is_cloud<typename Domain::Surface>::value,
+                "An edge map requires a mesh, because a cloud has no edges.");
+  const auto& mesh = domain.mesh();
   for(Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
   {
-    auto h = halfedge(domain.face(f), surface);
-    for(Index i = 3 * f; i < 3 * f + 3; ++i, h = next(h, surface))
-      visit(i, get(map, edge(h, surface)));
+    auto h = halfedge(domain.face(f), mesh);
+    for(Index i = 3 * f; i < 3 * f + 3; ++i, h = next(h, mesh))
+      visit(i, get(map, edge(h, mesh)));
   }
 }
 
 // Returns for each halfedge whether a remeshing must keep its edge: boundary edges, sharp edges,
 // and edges that are constrained by a named parameter.
-template <typename Surface, typename Domain, typename NamedParameters>
-std::vector<bool> constrained_halfedges([[maybe_unused]] const Surface& surface,
-                                        const Domain& domain, const NamedParameters& np)
+template <typename Domain, typename NamedParameters>
+std::vector<bool> constrained_halfedges(const Domain& domain, const NamedParameters& np)
 {
   const double angle = parameter(np, internal_np::sharp_angle, 180.);
   if(!(angle >= 0.))
     throw Invalid_argument_error("The sharp angle is negative or not a number.");
   std::vector<bool> result = boundary_and_sharp_halfedges(*domain.triangles(), angle);
   if constexpr(has_parameter<NamedParameters, CGAL::internal_np::edge_is_constrained_t>)
-    for_each_halfedge(surface, domain, parameter(np, CGAL::internal_np::edge_is_constrained, 0),
+    for_each_halfedge(domain, parameter(np, CGAL::internal_np::edge_is_constrained, 0),
                       [&](Index i, bool is_kept) { result[i] = result[i] || is_kept; });
   return result;
 }
 
 // Returns for each halfedge the spacing of samples along its edge if the edge is kept, in scaled
 // units.  Zero means no given spacing; the result is empty if no spacing is given at all.
-template <typename Surface, typename Domain, typename NamedParameters>
-std::vector<double> halfedge_spacing([[maybe_unused]] const Surface& surface, const Domain& domain,
-                                     const NamedParameters& np)
+template <typename Domain, typename NamedParameters>
+std::vector<double> halfedge_spacing(const Domain& domain, const NamedParameters& np)
 {
   const double scale = domain.triangles()->scale;
   const auto checked = [](double spacing)
@@ -68,7 +66,7 @@ std::vector<double> halfedge_spacing([[maybe_unused]] const Surface& surface, co
   if(has_map || uniform_spacing > 0.)
     result.assign(domain.triangles()->corner.size(), uniform_spacing);
   if constexpr(has_map)
-    for_each_halfedge(surface, domain, parameter(np, internal_np::edge_spacing_map, 0),
+    for_each_halfedge(domain, parameter(np, internal_np::edge_spacing_map, 0),
                       [&](Index i, double spacing)
                       {
                         if(checked(spacing) > 0.)
@@ -79,9 +77,9 @@ std::vector<double> halfedge_spacing([[maybe_unused]] const Surface& surface, co
 
 // Converts the named parameters of a remeshing or of a base mesh to options.  Throws
 // Invalid_argument_error if one is out of range.
-template <typename Surface, typename Domain, typename NamedParameters>
-Remeshing_options remeshing_options(const Surface& surface, const Domain& domain,
-                                    std::size_t number, const NamedParameters& np)
+template <typename Domain, typename NamedParameters>
+Remeshing_options remeshing_options(const Domain& domain, std::size_t number,
+                                    const NamedParameters& np)
 {
   const Surface_arrays& t = *domain.triangles();
   Remeshing_options options;
@@ -91,8 +89,8 @@ Remeshing_options remeshing_options(const Surface& surface, const Domain& domain
     throw Invalid_argument_error("The maximum deviation is not positive.");
   options.maximum_deviation = deviation / t.scale;
   options.does_fit_to_input = parameter(np, internal_np::do_fit, false);
-  options.is_feature = constrained_halfedges(surface, domain, np);
-  options.feature_spacing = halfedge_spacing(surface, domain, np);
+  options.is_feature = constrained_halfedges(domain, np);
+  options.feature_spacing = halfedge_spacing(domain, np);
   options.number_of_relaxation_steps =
       parameter(np, internal_np::number_of_relaxation_steps, std::size_t(0));
   options.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
