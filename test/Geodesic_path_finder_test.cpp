@@ -5,9 +5,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include "Mesh_of.h"
 #include "meshes.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace Geodesic_path_finder_test {
 
@@ -77,6 +80,47 @@ TEST(Geodesic_path_finder, finds_equally_short_paths_with_landmarks)
     EXPECT_NEAR(guided.locally_shortest_path(mesh.vertices[0], mesh.vertices[to]).length, expected,
                 0.02 * expected);
     EXPECT_GE(expected, distance(sphere.points[0], sphere.points[to]) - round_off);
+  }
+}
+
+// A tube of isosceles triangles is flat: ring j is shifted by j / 2 sides. The long way around stays
+// the long way.
+TEST(Geodesic_path_finder, shortens_polylines_in_their_homotopy_class)
+{
+  Numbered<Surface_mesh> mesh;
+  fill(mesh, cylinder(24, 6, 1., 2.));
+  Geodesic_path_finder<Surface_mesh> finder(mesh.mesh);
+  const auto vertex = [&](std::size_t side, std::size_t ring)
+  { return mesh.vertices[24 * ring + side]; };
+  const std::vector<Surface_mesh::Vertex_index> polyline = {vertex(0, 0), vertex(6, 5),
+                                                            vertex(12, 1), vertex(18, 3)};
+  const auto path = finder.shorten(polyline);
+  const double side_length = 2. * std::sin(internal::pi / 24.),
+               height = std::hypot(2. / 6., 1. - std::cos(internal::pi / 24.));
+  EXPECT_NEAR(path.length, std::hypot(19.5 * side_length, 3. * height), round_off);
+  EXPECT_NEAR(finder(polyline.front(), polyline.back()).length,
+              std::hypot(4.5 * side_length, 3. * height), round_off);
+  EXPECT_EQ(to_array(path.points.front()), to_array(mesh.mesh.point(polyline.front())));
+  EXPECT_EQ(to_array(path.points.back()), to_array(mesh.mesh.point(polyline.back())));
+  EXPECT_THROW(finder.shorten(std::vector<Surface_mesh::Vertex_index>{vertex(0, 0)}),
+               Invalid_argument_error);
+}
+
+TEST(Geodesic_path_finder, finds_great_circles_on_cloud)
+{
+  const Surfels surfels = sphere_surfels(3);
+  const auto maps = parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  Geodesic_path_finder<Surfels> finder(surfels, maps), of_domain(make_domain(surfels, maps));
+  for(std::size_t to = 1; to < surfels.size(); to += 97)
+  {
+    const auto path = finder(std::size_t(0), to);
+    const double expected =
+        2. *
+        std::asin(0.5 * std::sqrt(CGAL::squared_distance(surfels[0].first, surfels[to].first)));
+    EXPECT_NEAR(path.front_distance, expected, 1e-8); // fourth-order error with steps of 0.01
+    EXPECT_FALSE(path.initial_path.empty());
+    EXPECT_EQ(of_domain(std::size_t(0), to).points, path.points);
+    EXPECT_EQ(finder.locally_shortest_path(std::size_t(0), to).points, path.points);
   }
 }
 

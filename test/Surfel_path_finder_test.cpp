@@ -46,7 +46,7 @@ TEST(Surfel_path_finder, finds_great_circles)
     const double expected = great_circle(surfels[0].first, surfels[to].first);
     EXPECT_NEAR(path.front_distance, expected, 1e-8); // fourth-order error with steps of 0.01
     EXPECT_LE(path.length, path.front_distance * (1. + 1e-12));
-    EXPECT_LE(path.front_distance, path.start_length * (1. + 1e-12));
+    EXPECT_LE(path.front_distance, path.initial_length * (1. + 1e-12));
     ASSERT_EQ(path.points.size(), path.locations.size());
     EXPECT_EQ(path.points.front(), surfels[0].first);
     EXPECT_EQ(path.points.back(), surfels[to].first);
@@ -219,7 +219,7 @@ void expect_path_points_near_surfels(const Point_set& points, int number_of_path
   {
     const auto path = finder(*(points.begin() + random() % points.size()),
                              *(points.begin() + random() % points.size()));
-    EXPECT_LE(path.front_distance, path.start_length * (1. + 1e-12));
+    EXPECT_LE(path.front_distance, path.initial_length * (1. + 1e-12));
     for(const auto& p : path.points)
     {
       tree.nearest(points_of_cloud, {p.x(), p.y(), p.z()}, 60, neighbors);

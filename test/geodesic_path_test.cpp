@@ -239,4 +239,45 @@ TEST(Geodesic_path, joins_end_points_on_point_set)
   EXPECT_EQ(path_to_itself.points.size(), 1u);
 }
 
+TEST(Geodesic_path, minimizes_energy_on_cloud)
+{
+  const Surfels cloud = sphere_surfels(3);
+  const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  const auto domain = GP::make_domain(cloud, np);
+  const std::vector<std::size_t> sources = {17, 300, 511};
+  for(std::size_t from = 1; from < cloud.size(); from += 97)
+  {
+    double expected = 4.;
+    for(const std::size_t source : sources)
+      expected =
+          std::min(expected, 2. * std::asin(0.5 * std::sqrt(CGAL::squared_distance(
+                                                      cloud[from].first, cloud[source].first))));
+    const auto path = GP::geodesic_path(domain, from, sources);
+    EXPECT_NEAR(path.front_distance, expected, 1e-8); // fourth-order error with steps of 0.01
+    EXPECT_FALSE(path.initial_path.empty());
+    EXPECT_GE(path.initial_length, path.front_distance * (1. - 1e-12)); // round-off errors
+    EXPECT_EQ(GP::geodesic_path(cloud, from, sources, np).points, path.points);
+    // A front has other paths, and so have speeds.
+    const auto traced = GP::geodesic_path<GP::Euclidean_front>(domain, from, sources);
+    EXPECT_TRUE(traced.initial_path.empty());
+    EXPECT_NEAR(traced.front_distance, expected, 0.02 * expected); // edges of 0.15 are straight
+    const std::vector<double> speed(cloud.size(), 0.5);
+    const auto slow = GP::geodesic_path(domain, from, sources,
+                                        GP::parameters::speed_map(CGAL::make_property_map(speed)));
+    EXPECT_TRUE(slow.initial_path.empty());
+    EXPECT_NEAR(slow.front_distance, 2. * expected, 0.05 * 2. * expected); // edges of 0.15
+  }
+}
+
+TEST(Geodesic_path, is_empty_between_components_of_cloud)
+{
+  Surfels cloud = flat_surfels(200);
+  for(const auto& [p, n] : flat_surfels(200, 2))
+    cloud.emplace_back(p + Kernel::Vector_3(5., 0., 0.), n);
+  const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  const auto path = GP::geodesic_path(cloud, std::size_t(0), std::size_t(300), np);
+  EXPECT_TRUE(path.empty());
+  EXPECT_EQ(path.front_distance, GP::internal::infinity);
+}
+
 } // namespace geodesic_path_test

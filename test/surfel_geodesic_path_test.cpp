@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/surfel_geodesic_path.h>
 
+#include <CGAL/Geodesic_processing/make_domain.h>
+
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +63,17 @@ TEST(surfel_geodesic_path, throws_on_invalid_surfels)
   const Surfels surfels = flat_surfels(100);
   EXPECT_THROW(GP::surfel_geodesic_path(surfels, std::size_t(0), std::size_t(100), maps),
                GP::Invalid_argument_error);
+}
+
+TEST(surfel_geodesic_path, accepts_domain)
+{
+  const Surfels surfels = sphere_surfels(2);
+  const auto path = GP::surfel_geodesic_path(surfels, std::size_t(4), std::size_t(50), maps);
+  const auto of_domain =
+      GP::surfel_geodesic_path(GP::make_domain(surfels, maps), std::size_t(4), std::size_t(50));
+  ASSERT_EQ(of_domain.points.size(), path.points.size());
+  for(std::size_t i = 0; i < path.points.size(); ++i) // round-off errors of the domain's scale
+    EXPECT_LT(CGAL::squared_distance(of_domain.points[i], path.points[i]), 1e-26);
 }
 
 } // namespace surfel_geodesic_path_test

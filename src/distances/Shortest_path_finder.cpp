@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/distances/Shortest_path_finder.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/paths/path_to_sources.h>
 
@@ -18,6 +19,22 @@ Bounded_path Shortest_path_finder::locally_shortest_path(const Surface_location&
 {
   return {shorten_path(*m_triangles, m_finder(from, to)),
           straight_distance(*m_triangles, from, to)};
+}
+
+Bounded_path Shortest_path_finder::shorten(const std::vector<Surface_location>& polyline)
+{
+  if(polyline.size() < 2)
+    throw Invalid_argument_error("A polyline has fewer than two points.");
+  std::vector<Surface_location> path;
+  for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
+  {
+    const std::vector<Surface_location> part = m_finder(polyline[i], polyline[i + 1]);
+    if(part.empty())
+      return {};
+    path.insert(path.end(), part.begin(), part.end());
+  }
+  return {shorten_path(*m_triangles, path),
+          straight_distance(*m_triangles, polyline.front(), polyline.back())};
 }
 
 Bounded_path Shortest_path_finder::shortest_path(const Surface_location& from,

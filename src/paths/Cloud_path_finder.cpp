@@ -219,41 +219,53 @@ bool Cloud_path_finder::reroute_over_gaps(Shortened_path& path)
   return true;
 }
 
-// Returns the points of a graph path between two locations.
-std::vector<Projection> Cloud_path_finder::initial_path(const Tangent_location& from,
-                                                        const std::vector<Index>& vertices,
-                                                        const Tangent_location& to) const
+// Computes the graph path along a polyline, its points and its length.  Returns false if two
+// consecutive locations are not connected.
+bool Cloud_path_finder::append_initial_path(const std::vector<Tangent_location>& polyline,
+                                            Cloud_path& result, std::vector<Projection>& chain)
 {
   const Surfel_cloud& cloud = m_cloud->cloud();
-  const Projection first = m_cloud->project(from), last = m_cloud->project(to);
-  std::vector<Projection> chain = {first};
   const auto add = [&](const Projection& projection)
   {
-    if(projection.point != chain.back().point)
+    if(chain.empty() || projection.point != chain.back().point)
       chain.push_back(projection);
   };
-  for(const Index vertex : vertices)
-    add({cloud.point[vertex], cloud.normal[vertex], {0., 0., 0.}, vertex});
-  add(last);
-  return chain;
+  for(std::size_t i = 0; i < polyline.size(); ++i)
+  {
+    if(i > 0)
+    {
+      const std::vector<Index> vertices =
+          m_search(polyline[i - 1].vertex, polyline[i].vertex, m_cloud->options().search);
+      if(vertices.empty())
+        return false;
+      for(const Index vertex : vertices)
+      {
+        add({cloud.point[vertex], cloud.normal[vertex], {0., 0., 0.}, vertex});
+        if(result.initial_path.empty() || result.initial_path.back() != vertex)
+          result.initial_path.push_back(vertex);
+      }
+    }
+    add(m_cloud->project(polyline[i]));
+  }
+  for(std::size_t i = 0; i + 1 < chain.size(); ++i)
+    result.initial_length += arc_length(chain[i], chain[i + 1]);
+  return true;
 }
 
-Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tangent_location& to)
+Cloud_path Cloud_path_finder::shorten(const std::vector<Tangent_location>& polyline)
 {
   const Surfel_cloud& cloud = m_cloud->cloud();
   Cloud_path result;
-  result.start = m_search(from.vertex, to.vertex, m_cloud->options().search);
-  if(result.start.empty())
+  std::vector<Projection> chain;
+  if(!append_initial_path(polyline, result, chain))
   {
-    result.start_length = infinity;
+    result.initial_path.clear();
+    result.initial_length = infinity;
     return result;
   }
-  const std::vector<Projection> chain = initial_path(from, result.start, to);
-  for(std::size_t i = 0; i + 1 < chain.size(); ++i)
-    result.start_length += arc_length(chain[i], chain[i + 1]);
 
   Path_options options = m_cloud->options().path;
-  options.min_spacing = 0.5 * cloud.radius[from.vertex];
+  options.min_spacing = 0.5 * cloud.radius[polyline.front().vertex];
   result.path = shorten_path(m_cloud->surface(), options, chain);
   bool has_gaps = reroute_over_gaps(result.path);
   // With closer control points, the projections detect the gap.
@@ -267,24 +279,24 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
     if(refined_path.length < result.path.length)
       result.path = std::move(refined_path);
   }
-  if(result.path.length > result.start_length)
+  if(result.path.length > result.initial_length)
   {
     // Because of noise and narrow valleys, graph edges can be shorter than paths on the surface.
     // Compare with the curve along the graph path instead.
-    Shortened_path start = result.path;
-    fit_curve(m_cloud->surface(), chain, start);
-    reroute_over_gaps(start);
-    result.start_length = start.length;
+    Shortened_path initial = result.path;
+    fit_curve(m_cloud->surface(), chain, initial);
+    reroute_over_gaps(initial);
+    result.initial_length = initial.length;
     // If the sampling is too sparse, the fitted surfaces of adjacent surfels do not match.  Their
     // disks overlap.
-    if(result.path.length > start.length)
+    if(result.path.length > initial.length)
     {
       options.constraint = Path_constraint::energy;
       result.path = shorten_path(m_cloud->disks(), options, chain);
       reroute_over_gaps(result.path);
     }
-    if(result.path.length > start.length)
-      result.path = start;
+    if(result.path.length > initial.length)
+      result.path = initial;
   }
   return result;
 }

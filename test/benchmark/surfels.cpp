@@ -585,7 +585,7 @@ Path_adherence measure_adherence(const Cloud& cloud, std::size_t max_pairs, unsi
     ++result.pairs;
     const Cloud_path found = finder({a, {0., 0.}}, {b, {0., 0.}});
     const std::vector<Projection>& points = found.path.points;
-    result.longer += found.path.length > found.start_length * (1. + 1e-12); // round-off error
+    result.longer += found.path.length > found.initial_length * (1. + 1e-12); // round-off error
     for(std::size_t i = 0; i < points.size(); ++i)
     {
       tree.nearest(cloud_points, c.frame.origin + c.frame.scale * points[i].point,

@@ -4,82 +4,140 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_PATH_FINDER_H
 
 #include <CGAL/Geodesic_processing/Surface_path.h>
+#include <CGAL/Geodesic_processing/Surfel_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/distances/Shortest_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
+#include <type_traits>
+
 namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+// Converts a path of a Shortest_path_finder.
+template <typename Domain>
+Surface_path<typename Domain::Surface> surface_path(const Domain& domain, const Bounded_path& path)
+{
+  auto result = surface_path(domain, path.locations, infinity);
+  if(result.empty())
+    return result;
+  result.front_distance = result.length;
+  result.lower = domain.triangles()->scale * path.lower;
+  return result;
+}
+
+} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
 /// Computes paths between pairs of vertices, surfels or locations without a distance field.
 ///
-/// An A* search on edges, and on segments across unfolded adjacent faces, finds a path, which is
-/// then shortened to a locally shortest path.  On a mesh, its length bounds an exact search: only
+/// On a mesh, an A* search on edges, and on segments across unfolded adjacent faces, finds a path,
+/// which is then shortened to a locally shortest path.  Its length bounds an exact search: only
 /// windows of `Exact` that may belong to a shorter path are propagated, from one end towards the
-/// other.  The cost of a query is that of the visited faces.  Copies share the domain, and
-/// different copies can be used concurrently.
+/// other.  The cost of a query is that of the visited faces.
+///
+/// On a cloud, paths are those of `Surfel_path_finder`, which minimizes an energy.  `initial_path` of
+/// a result is the graph path from which the minimization starts.
+///
+/// Copies share the domain, and different copies can be used concurrently.
 ///
 /// \tparam Surface as for `geodesic_distances()`, but not a domain
 template <typename Surface>
 class Geodesic_path_finder
 {
+  static constexpr bool is_cloud = internal::Is_cloud<Surface>::value;
+
 public:
   using Domain = internal::Domain_of<Surface>;
+  using Path = Geodesic_path<Surface>;
 
-  /// Precomputes the domain of the surface; `np` takes the named parameters of `make_domain()`.
+  /// Precomputes the domain of the surface.  O(n) time on a mesh; on a cloud O(n log n), as
+  /// `Surfel_path_finder`.
+  ///
+  /// \param surface a mesh or a cloud
+  /// \param np the named parameters of `make_domain()`; on a cloud those of `Surfel_path_finder`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_path_finder(const Surface& surface,
                                 const NamedParameters& np = NamedParameters())
-      : Geodesic_path_finder(Domain(surface, np))
+      : Geodesic_path_finder(Domain(surface, np), np)
   {}
   /// Uses an existing domain, which is shared.
-  explicit Geodesic_path_finder(const Domain& domain)
-      : m_domain(domain), m_finder(domain.triangles())
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Geodesic_path_finder(const Domain& domain, const NamedParameters& np = NamedParameters())
+      : m_domain(domain), m_finder(finder(domain, np))
   {}
 
   /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
-  /// Improves the lower bounds of the search by the distances from `number` landmarks: vertices or
-  /// surfels far from each other.  \cgalCite{cgal:gh-cspas-05}  Each landmark takes one search on
-  /// the whole surface, so that landmarks pay off for hundreds of queries.
-  void add_landmarks(unsigned number) { m_finder.add_landmarks(number); }
+  /// Improves the lower bounds of the search on a mesh by the distances from `number` landmarks:
+  /// vertices far from each other.  \cgalCite{cgal:gh-cspas-05}  Each landmark takes one search on
+  /// the whole mesh, so that landmarks pay off for hundreds of queries.
+  void add_landmarks(unsigned number)
+  {
+    static_assert(!is_cloud, "The search on a cloud uses regions of surfels instead of landmarks.");
+    m_finder.add_landmarks(number);
+  }
 
   /// Returns a shortest path from one vertex, surfel or location to another; empty if they are not
   /// connected.  On a cloud, the path is locally shortest.
   /// \throws Invalid_argument_error if a location is invalid
   template <typename FromLocation, typename ToLocation>
-  Surface_path<Surface> operator()(const FromLocation& from, const ToLocation& to)
+  Path operator()(const FromLocation& from, const ToLocation& to)
   {
-    return surface_path(m_finder.shortest_path(internal::location(m_domain, from),
-                                               internal::location(m_domain, to)));
+    if constexpr(is_cloud)
+      return m_finder(from, to);
+    else
+      return internal::surface_path(m_domain,
+                                    m_finder.shortest_path(internal::location(m_domain, from),
+                                                           internal::location(m_domain, to)));
   }
   /// Returns a locally shortest path; empty if the ends are not connected.
   ///
-  /// It takes a few milliseconds at most on scans, where it is on average a few hundredths of a
-  /// percent longer than the shortest path.  On other meshes it can be a third longer.
+  /// On scans that are meshes, it takes a few milliseconds at most, and the path is on average a few
+  /// hundredths of a percent longer than the shortest path.  On other meshes it can be a third
+  /// longer.
   /// \throws Invalid_argument_error if a location is invalid
   template <typename FromLocation, typename ToLocation>
-  Surface_path<Surface> locally_shortest_path(const FromLocation& from, const ToLocation& to)
+  Path locally_shortest_path(const FromLocation& from, const ToLocation& to)
   {
-    return surface_path(m_finder.locally_shortest_path(internal::location(m_domain, from),
-                                                       internal::location(m_domain, to)));
+    if constexpr(is_cloud)
+      return m_finder(from, to);
+    else
+      return internal::surface_path(
+          m_domain, m_finder.locally_shortest_path(internal::location(m_domain, from),
+                                                   internal::location(m_domain, to)));
+  }
+  /// Shortens a polyline to a locally shortest path with the same ends; empty if consecutive
+  /// locations are not connected.  Short paths of the search join consecutive locations.
+  ///
+  /// \param polyline a range of at least two vertices, surfels or locations
+  /// \throws Invalid_argument_error if there are fewer than two, or if a location is invalid
+  template <typename Polyline>
+  Path shorten(const Polyline& polyline)
+  {
+    if constexpr(is_cloud)
+      return m_finder.shorten(polyline);
+    else
+      return internal::surface_path(m_domain,
+                                    m_finder.shorten(internal::locations(m_domain, polyline)));
   }
 
 private:
-  Surface_path<Surface> surface_path(const internal::Bounded_path& path) const
+  template <typename NamedParameters>
+  static auto finder(const Domain& domain, [[maybe_unused]] const NamedParameters& np)
   {
-    auto result = internal::surface_path(m_domain, path.locations, internal::infinity);
-    if(result.empty())
-      return result;
-    result.front_distance = result.length;
-    result.lower = m_domain.triangles()->scale * path.lower;
-    return result;
+    if constexpr(is_cloud)
+      return Surfel_path_finder<Surface>(domain, np);
+    else
+      return internal::Shortest_path_finder(domain.triangles());
   }
 
   Domain m_domain;
-  internal::Shortest_path_finder m_finder;
+  std::conditional_t<is_cloud, Surfel_path_finder<Surface>, internal::Shortest_path_finder>
+      m_finder;
 };
 
 } // namespace CGAL::Geodesic_processing

@@ -98,6 +98,8 @@ public:
     return {m_data, &m_data->surfels.arrays};
   }
   const internal::Surfel_arrays& surfels() const { return m_data->surfels; }
+  const internal::Surfel_descriptors<Surface>& descriptors() const { return m_data->descriptors; }
+  internal::Surfel_input surfel_input() const;
   internal::Index index(Vertex surfel) const;
   Vertex vertex(internal::Index index) const
   {
@@ -116,6 +118,7 @@ private:
   {
     internal::Surfel_arrays surfels;
     internal::Surfel_descriptors<Surface> descriptors;
+    bool has_given_radii = false;
   };
   std::shared_ptr<const Data> m_data;
 };
@@ -131,9 +134,27 @@ Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range, const NamedP
   internal::Surfel_input input = internal::read_surfels(range, np);
   internal::Surfel_options options;
   options.number_of_threads = internal::parameter(np, internal_np::number_of_threads, 1u);
+  data->has_given_radii = !input.radii.empty();
   data->surfels = internal::build_surfel_arrays(std::move(input.points), std::move(input.normals),
                                                 input.radii, options);
   m_data = std::move(data);
+}
+
+// Returns the points, normals and radii from which the domain was built, in the order of the range.
+// Points are equal up to round-off errors, and normals are unit vectors.
+template <typename SurfelRange>
+internal::Surfel_input Surfel_domain<SurfelRange>::surfel_input() const
+{
+  const internal::Surfel_arrays& surfels = m_data->surfels;
+  internal::Surfel_input result;
+  for(const internal::Index i : surfels.internal_vertex)
+  {
+    result.points.push_back(internal::coordinates(surfels.arrays, {internal::none, i, {}}));
+    result.normals.push_back(surfels.arrays.normal[i]);
+    if(m_data->has_given_radii)
+      result.radii.push_back(surfels.arrays.scale * surfels.radius[i]);
+  }
+  return result;
 }
 
 template <typename SurfelRange>

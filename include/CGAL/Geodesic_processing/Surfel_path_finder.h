@@ -4,6 +4,8 @@
 #define CGAL_GEODESIC_PROCESSING_SURFEL_PATH_FINDER_H
 
 #include <CGAL/Geodesic_processing/Surface_path.h>
+#include <CGAL/Geodesic_processing/Surfel_domain.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/paths/Cloud_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/path_options.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,19 +26,25 @@ namespace CGAL::Geodesic_processing {
 /// \ingroup PkgGeodesicProcessingPaths
 ///
 /// A path on a surfel cloud.  Each location refers to the surfel nearest to it on the same sheet.
-/// `length` is the length of the polyline and at most `start_length`.  `front_distance` is the
+/// `length` is the length of the polyline and at most `initial_length`.  `front_distance` is the
 /// length of the smooth curve through its points: the geodesic distance.
 template <typename SurfelRange>
 struct Surfel_path : Surface_path<SurfelRange>
 {
   /// The surfels of the graph path from which the minimization starts.
-  std::vector<typename internal::Surface_traits<SurfelRange>::Vertex> start;
+  std::vector<typename internal::Surface_traits<SurfelRange>::Vertex> initial_path;
   /// The length of that graph path.  If the shortened path is longer, because graph edges do not
   /// follow the surface, it is the length of the smooth curve along the graph path.
-  double start_length = 0.;
+  double initial_length = 0.;
   std::size_t number_of_control_points = 0; ///< the curve has about four points per control point
   std::vector<Path_energy_level> levels;    ///< the levels of the minimization, from coarse to fine
 };
+
+/// \ingroup PkgGeodesicProcessingPaths
+/// The result of `geodesic_path()`: a `Surfel_path` on a cloud, a `Surface_path` on a mesh.
+template <typename Surface>
+using Geodesic_path = std::conditional_t<internal::Is_cloud<Surface>::value, Surfel_path<Surface>,
+                                         Surface_path<Surface>>;
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
@@ -134,7 +143,16 @@ public:
   /// \throws as `Surfel_domain`, and Invalid_argument_error if a weight is negative
   template <typename NamedParameters = internal::Default_parameters>
   explicit Surfel_path_finder(const SurfelRange& surfels,
-                              const NamedParameters& np = NamedParameters());
+                              const NamedParameters& np = NamedParameters())
+      : Surfel_path_finder(internal::Surfel_descriptors<SurfelRange>(surfels),
+                           internal::read_surfels(surfels, np), np)
+  {}
+  /// Uses the surfels of a domain.  The named parameters are the same, except for property maps.
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Surfel_path_finder(const Surfel_domain<SurfelRange>& domain,
+                              const NamedParameters& np = NamedParameters())
+      : Surfel_path_finder(domain.descriptors(), domain.surfel_input(), np)
+  {}
 
   /// Returns the number of surfels.
   std::size_t number_of_surfels() const { return m_descriptors->size(); }
@@ -195,6 +213,13 @@ public:
   {
     return outer(m_finder(tangent_location(from), tangent_location(to)));
   }
+  /// Shortens a polyline to a geodesic with the same ends; empty if consecutive locations are not
+  /// connected.  Short graph paths join them, which together are the initial path.
+  ///
+  /// \param polyline a range of at least two surfels or of at least two locations
+  /// \throws Invalid_argument_error if there are fewer than two, and as `operator()`
+  template <typename Polyline>
+  Surfel_path<SurfelRange> shorten(const Polyline& polyline);
 
   /// \name Access for the Kernels
   /// @{
@@ -215,6 +240,9 @@ public:
   /// @}
 
 private:
+  template <typename NamedParameters>
+  Surfel_path_finder(internal::Surfel_descriptors<SurfelRange> descriptors,
+                     internal::Surfel_input surfels, const NamedParameters& np);
   const internal::Surfel_cloud& cloud() const { return m_finder.fitted_cloud()->cloud(); }
   Vertex outer_vertex(internal::Index vertex) const
   {
@@ -245,23 +273,31 @@ Cloud_path_options cloud_path_options(const NamedParameters& np)
   return result;
 }
 
-template <typename SurfelRange, typename NamedParameters>
-Cloud_path_finder make_path_finder(const SurfelRange& range, const NamedParameters& np)
-{
-  Surfel_input arrays = read_surfels(range, np);
-  return Cloud_path_finder(std::make_shared<const Fitted_cloud>(
-      std::move(arrays.points), std::move(arrays.normals), arrays.radii, cloud_path_options(np)));
-}
-
 } // namespace internal
 
 template <typename SurfelRange>
 template <typename NamedParameters>
-Surfel_path_finder<SurfelRange>::Surfel_path_finder(const SurfelRange& range,
-                                                    const NamedParameters& np)
-    : m_descriptors(std::make_shared<const internal::Surfel_descriptors<SurfelRange>>(range)),
-      m_finder(internal::make_path_finder(range, np))
+Surfel_path_finder<SurfelRange>::Surfel_path_finder(
+    internal::Surfel_descriptors<SurfelRange> descriptors, internal::Surfel_input surfels,
+    const NamedParameters& np)
+    : m_descriptors(std::make_shared<const internal::Surfel_descriptors<SurfelRange>>(
+          std::move(descriptors))),
+      m_finder(std::make_shared<const internal::Fitted_cloud>(
+          std::move(surfels.points), std::move(surfels.normals), surfels.radii,
+          internal::cloud_path_options(np)))
 {}
+
+template <typename SurfelRange>
+template <typename Polyline>
+Surfel_path<SurfelRange> Surfel_path_finder<SurfelRange>::shorten(const Polyline& polyline)
+{
+  std::vector<internal::Tangent_location> locations;
+  for(const auto& element : polyline)
+    locations.push_back(tangent_location(element));
+  if(locations.size() < 2)
+    throw Invalid_argument_error("A polyline has fewer than two points.");
+  return outer(m_finder.shorten(locations));
+}
 
 template <typename SurfelRange>
 template <typename Function>
@@ -300,8 +336,8 @@ Surfel_path_finder<SurfelRange>::outer(const internal::Cloud_path& found) const
     result.locations.push_back(outer(m_finder.fitted_cloud()->location(foot)));
     result.points.push_back(outer_point(foot.point));
   }
-  for(const internal::Index vertex : found.start)
-    result.start.push_back(outer_vertex(vertex));
+  for(const internal::Index vertex : found.initial_path)
+    result.initial_path.push_back(outer_vertex(vertex));
   result.length = scale * path.polyline_length;
   result.front_distance = path.points.empty() ? internal::infinity : scale * path.length;
   if(!path.points.empty())
@@ -312,7 +348,7 @@ Surfel_path_finder<SurfelRange>::outer(const internal::Cloud_path& found) const
         internal::norm(path.points.back().point - path.points.front().point);
     result.lower = scale * (std::max)(0., straight_distance - round_off);
   }
-  result.start_length = scale * found.start_length;
+  result.initial_length = scale * found.initial_length;
   result.number_of_control_points = path.number_of_control_points;
   for(Path_energy_level level : path.levels)
   {

@@ -235,8 +235,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   if constexpr(internal::has_parameter<NamedParameters, internal_np::edge_path_output_t>)
   {
     auto out = internal::parameter(np, internal_np::edge_path_output, 0);
-    Geodesic_path_finder<typename std::decay_t<decltype(input_domain)>::Surface> finder(
-        input_domain);
+    internal::Shortest_path_finder finder(input_domain.triangles());
     for(std::size_t i = 0; i < found.triangles.size(); ++i)
       for(int k = 0; k < 3; ++k)
       {
@@ -249,8 +248,11 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
           const auto e = edge(h, output);
           const bool is_forward = source(halfedge(e, output), output) == vertices[a];
           *out++ = std::make_pair(
-              e, finder.locally_shortest_path(domain.outer(found.samples[is_forward ? a : b]),
-                                              domain.outer(found.samples[is_forward ? b : a])));
+              e, internal::surface_path(
+                     input_domain,
+                     finder.locally_shortest_path(
+                         input_domain.inner(domain.outer(found.samples[is_forward ? a : b])),
+                         input_domain.inner(domain.outer(found.samples[is_forward ? b : a])))));
         }
       }
   }

@@ -4,8 +4,21 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_PATH_H
 
 #include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
+#include <CGAL/Geodesic_processing/Surfel_path_finder.h>
+
+#include <type_traits>
 
 namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+// Whether paths are those of the energy method: on clouds by default, unless there are speeds.
+template <typename Surface, typename Method, typename NamedParameters>
+inline constexpr bool uses_path_energy =
+    Is_cloud<Surface>::value&& std::is_same_v<Method, Automatic> &&
+    !has_parameter<NamedParameters, internal_np::speed_map_t>;
+
+} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
@@ -17,8 +30,12 @@ namespace CGAL::Geodesic_processing {
 /// On a mesh, the path is a shortest path by default, or if the method is `Exact`.  With other
 /// methods, it is locally shortest: it is straight in every face, and both angles at every vertex
 /// that it passes are at least \f$ \pi \f$.  Its length differs from
-/// `Surface_path::front_distance` by at most the error of the method.  On a cloud, the path consists
-/// of surfels.
+/// `Surface_path::front_distance` by at most the error of the method.
+///
+/// On a cloud, the path is that of `Surfel_path_finder` between `from` and the nearest location of
+/// the nearest source.  Only a front admits speeds.  If there are speeds, or if the method is given,
+/// the path is traced and shortened on the local triangles of the cloud, and `initial_path` is empty.
+/// The same holds if only these triangles connect `from` with a source.
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Surface as for `geodesic_distances()`
@@ -27,22 +44,34 @@ namespace CGAL::Geodesic_processing {
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param from a vertex, a surfel or a location
 /// \param to a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
-/// \param np the named parameters of `geodesic_distances()`
+/// \param np the named parameters of `geodesic_distances()`; on a cloud also those of
+///        `Surfel_path_finder`
 /// \returns the path; empty if no source can be reached
 /// \throws as `Geodesic_distance_solver::compute()`
 ///
 /// Takes one distance computation that stops at `from`, and time proportional to the length of the
-/// path.
+/// path.  On a cloud of n surfels, also the preparation of `Surfel_path_finder` in O(n log n) time:
+/// use this class or `Geodesic_path_finder` for more than one path.
 template <typename Method = Automatic, typename Surface, typename QueryLocation, typename Sources,
           typename NamedParameters = internal::Default_parameters>
-Surface_path<Surface_of<Surface>> geodesic_path(const Surface& surface, const QueryLocation& from,
-                                                const Sources& to,
-                                                const NamedParameters& np = NamedParameters())
+Geodesic_path<Surface_of<Surface>> geodesic_path(const Surface& surface, const QueryLocation& from,
+                                                 const Sources& to,
+                                                 const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
-  Geodesic_distance_solver<typename decltype(domain)::Surface, Method> solver(domain);
+  Geodesic_distance_solver<Surface_of<Surface>, Method> solver(domain);
   solver.compute(to, internal::chain(np).targets(from));
-  return solver.path(from);
+  Geodesic_path<Surface_of<Surface>> result;
+  static_cast<Surface_path<Surface_of<Surface>>&>(result) = solver.path(from);
+  if constexpr(internal::uses_path_energy<Surface_of<Surface>, Method, NamedParameters>)
+    if(!result.empty())
+    {
+      Surfel_path_finder<Surface_of<Surface>> finder(domain, np);
+      auto path = finder(from, result.locations.back());
+      if(!path.empty())
+        return path;
+    }
+  return result;
 }
 
 } // namespace CGAL::Geodesic_processing

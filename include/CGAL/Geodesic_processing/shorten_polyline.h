@@ -3,7 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_SHORTEN_POLYLINE_H
 #define CGAL_GEODESIC_PROCESSING_SHORTEN_POLYLINE_H
 
+#include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/path_options.h>
+#include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 
 #include <CGAL/number_utils.h>
@@ -15,6 +17,21 @@
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+template <typename Function, typename PointRange>
+using Value_at_point =
+    decltype(std::declval<const Function&>()(*std::begin(std::declval<const PointRange&>())));
+
+template <typename Function, typename PointRange, typename = void>
+inline constexpr bool is_function_of_points = false;
+template <typename Function, typename PointRange>
+inline constexpr bool
+    is_function_of_points<Function, PointRange, std::void_t<Value_at_point<Function, PointRange>>> =
+        true;
+
+} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingPaths
 /// The result of `shorten_polyline()`.
@@ -52,8 +69,10 @@ struct Shortened_polyline
 /// \returns a `Shortened_polyline`
 /// \throws Invalid_argument_error if there are fewer than two points, if a point is not finite, or
 ///         if a squared distance is not a number
-template <typename PointRange, typename SquaredDistance,
-          typename NamedParameters = internal::Default_parameters>
+template <
+    typename PointRange, typename SquaredDistance,
+    typename NamedParameters = internal::Default_parameters,
+    std::enable_if_t<internal::is_function_of_points<SquaredDistance, PointRange>, bool> = true>
 Shortened_polyline<std::decay_t<decltype(*std::begin(std::declval<const PointRange&>()))>>
 shorten_polyline(const PointRange& polyline, const SquaredDistance& squared_distance,
                  const NamedParameters& np = NamedParameters())
@@ -74,6 +93,47 @@ shorten_polyline(const PointRange& polyline, const SquaredDistance& squared_dist
   result.number_of_control_points = path.number_of_control_points;
   result.levels = path.levels;
   return result;
+}
+
+/// \ingroup PkgGeodesicProcessingPaths
+///
+/// Shortens a polyline on a mesh or a cloud to a locally shortest path with the same ends.
+///
+/// The path stays near the polyline: on a mesh it has the same homotopy type. Consecutive points of
+/// the polyline need not be close to each other, since short paths join them first.
+///
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Polyline a range of vertices, surfels, `Location<Surface>` or points of any kernel
+/// \param surface as for `geodesic_distances()`
+/// \param polyline a range of at least two vertices, surfels, locations or points. A point stands for
+///        the closest location on the surface
+/// \param np the named parameters of `Geodesic_path_finder`
+/// \returns the path, as `Geodesic_path_finder`; empty if two consecutive locations are not connected
+/// \throws Invalid_argument_error if there are fewer than two locations, or if one is invalid
+///
+/// The time is that of a query of `Geodesic_path_finder` for each pair of consecutive locations,
+/// after `make_domain()`. For many polylines on one surface, use `Geodesic_path_finder::shorten()`.
+template <typename Surface, typename Polyline,
+          typename NamedParameters = internal::Default_parameters,
+          std::enable_if_t<!internal::is_function_of_points<Polyline, Surface>, bool> = true>
+Geodesic_path<Surface_of<Surface>> shorten_polyline(const Surface& surface,
+                                                    const Polyline& polyline,
+                                                    const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(surface, np);
+  using Domain = std::decay_t<decltype(domain)>;
+  using Element = std::decay_t<decltype(*std::begin(polyline))>;
+  Geodesic_path_finder<Surface_of<Surface>> finder(domain, np);
+  if constexpr(internal::is_vertex_or_location<Domain, Element>)
+    return finder.shorten(polyline);
+  else
+  {
+    const Surface_locator<Surface_of<Surface>> locate(domain);
+    std::vector<typename Domain::Location> locations;
+    for(const Element& point : polyline)
+      locations.push_back(locate(point));
+    return finder.shorten(locations);
+  }
 }
 
 } // namespace CGAL::Geodesic_processing

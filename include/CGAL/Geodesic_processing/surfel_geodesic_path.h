@@ -19,10 +19,10 @@ namespace CGAL::Geodesic_processing {
 ///
 /// If there is more than one pair, `Surfel_path_finder` is faster: it reads the cloud only once.
 ///
-/// \tparam SurfelRange a model of the concept `SurfelRange`
-/// \tparam FromLocation a surfel or a `Location<SurfelRange>`
+/// \tparam Cloud a model of the concept `SurfelRange`, or its domain
+/// \tparam FromLocation a surfel or a `Location<Cloud>`
 /// \tparam ToLocation as `FromLocation`
-/// \param surfels a model of `SurfelRange`
+/// \param surfels a model of `SurfelRange`, or its domain
 /// \param from a surfel or a location
 /// \param to a surfel or a location
 /// \param np the named parameters of `Surfel_path_finder`
@@ -30,13 +30,15 @@ namespace CGAL::Geodesic_processing {
 /// \throws as `Surfel_path_finder` and its `operator()`
 ///
 /// O(n log n) for the preparation; the path itself is found in a small fraction of this time.
-template <typename SurfelRange, typename FromLocation, typename ToLocation,
+template <typename Cloud, typename FromLocation, typename ToLocation,
           typename NamedParameters = internal::Default_parameters>
-Surfel_path<SurfelRange> surfel_geodesic_path(const SurfelRange& surfels, const FromLocation& from,
-                                              const ToLocation& to,
-                                              const NamedParameters& np = NamedParameters())
+Surfel_path<Surface_of<Cloud>> surfel_geodesic_path(const Cloud& surfels, const FromLocation& from,
+                                                    const ToLocation& to,
+                                                    const NamedParameters& np = NamedParameters())
 {
-  return Surfel_path_finder<SurfelRange>(surfels, np)(from, to);
+  static_assert(internal::Is_cloud<Surface_of<Cloud>>::value,
+                "The energy is that of surfels: use geodesic_path() on a mesh.");
+  return Surfel_path_finder<Surface_of<Cloud>>(surfels, np)(from, to);
 }
 
 /// \ingroup PkgGeodesicProcessingPaths

@@ -111,9 +111,9 @@ Path_result find_cloud_path(const Cloud& cloud, const Path_options& options, Job
       {
         const auto path = finder(begin, end);
         copy_path(path, result);
-        for(const Cloud::Index& surfel : path.start)
+        for(const Cloud::Index& surfel : path.initial_path)
           result.start.push_back(coordinates(finder.point(surfel)));
-        result.start_length = path.start_length;
+        result.start_length = path.initial_length;
       },
       from, to);
   if(!job.picture().empty())

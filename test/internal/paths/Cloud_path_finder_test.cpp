@@ -94,7 +94,7 @@ TEST(Cloud_path_finder, follows_great_circles)
       const Cloud_path found = finder(a, b);
       // Spheres are fitted exactly.  The error is of fourth order in the step, 1/100.
       EXPECT_NEAR(finder.scale() * found.path.length, expected, 1e-8);
-      EXPECT_LE(found.path.length, found.start_length * (1. + round_off));
+      EXPECT_LE(found.path.length, found.initial_length * (1. + round_off));
       EXPECT_LE(found.path.polyline_length, found.path.length * (1. + round_off));
       for(const Vec3& p : finder.points(found))
         EXPECT_NEAR(norm(p), 1., 1e-9);
@@ -120,7 +120,7 @@ TEST(Cloud_path_finder, follows_great_circles_with_coarse_to_fine_search)
     const Cloud_path found = finder(a, b);
     // The accuracy is independent of the graph path.
     EXPECT_NEAR(finder.scale() * found.path.length, expected, 1e-8);
-    EXPECT_LE(found.path.length, found.start_length * (1. + round_off));
+    EXPECT_LE(found.path.length, found.initial_length * (1. + round_off));
     // It is also not longer than the shortest graph path.
     const Surfel_cloud& cloud = finder.fitted_cloud().cloud();
     const std::vector<Index> shortest = Graph_search(cloud.graph, cloud.point)(
@@ -200,7 +200,7 @@ TEST(Cloud_path_finder, is_robust_to_outliers)
         if(expected < 0.2)
           continue;
         const Cloud_path found = finder(a, b);
-        EXPECT_LE(found.path.length, found.start_length * (1. + round_off));
+        EXPECT_LE(found.path.length, found.initial_length * (1. + round_off));
         expect_energy_decreases(found);
         sum += std::pow(finder.scale() * found.path.length / expected - 1., 2);
       }
@@ -327,7 +327,7 @@ TEST(Cloud_path_finder, goes_around_fold_with_few_control_points)
                                     nearest_point(fold, {0.75, 0.25, -fold_radius}));
     expect_steps_along_edges(finder.fitted_cloud().cloud(), found);
     EXPECT_GT(finder.scale() * found.path.length, 1.5);
-    EXPECT_LE(found.path.length, found.start_length * (1. + round_off));
+    EXPECT_LE(found.path.length, found.initial_length * (1. + round_off));
   }
 }
 
@@ -356,7 +356,7 @@ TEST(Cloud_path_finder, stays_near_surfels_of_anisotropic_sampling)
     {
       const Cloud_path found =
           finder(random() % cloud_of_rows.size(), random() % cloud_of_rows.size());
-      EXPECT_LE(found.path.length, found.start_length * (1. + round_off));
+      EXPECT_LE(found.path.length, found.initial_length * (1. + round_off));
       expect_steps_along_edges(cloud, found);
       const std::vector<Vec3> points = finder.points(found);
       for(std::size_t k = 0; k < points.size(); ++k)
@@ -377,7 +377,7 @@ TEST(Cloud_path_finder, is_empty_between_components)
   EXPECT_EQ(finder.fitted_cloud().cloud().number_of_components, 2u);
   const Cloud_path found = finder(0, first);
   EXPECT_TRUE(found.path.points.empty());
-  EXPECT_EQ(found.start_length, infinity);
+  EXPECT_EQ(found.initial_length, infinity);
 }
 
 TEST(Cloud_path_finder, is_single_point_from_surfel_to_itself)
@@ -386,7 +386,7 @@ TEST(Cloud_path_finder, is_single_point_from_surfel_to_itself)
   const Cloud_path found = finder(7, 7);
   EXPECT_EQ(found.path.points.size(), 1u);
   EXPECT_EQ(found.path.length, 0.);
-  EXPECT_EQ(found.start_length, 0.);
+  EXPECT_EQ(found.initial_length, 0.);
 }
 
 TEST(Cloud_path_finder, is_scale_equivariant)

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -28,6 +29,10 @@ public:
   // Returns a locally shortest path; no locations if there is none.  `lower` is the straight
   // distance.
   Bounded_path locally_shortest_path(const Surface_location& from, const Surface_location& to);
+  // Shortens a polyline to a locally shortest path with the same ends.  Paths of the search join
+  // consecutive locations; no locations if there is none.  Throws Invalid_argument_error if there
+  // are fewer than two locations.
+  Bounded_path shorten(const std::vector<Surface_location>& polyline);
   // Returns a shortest path; no locations if there is none.  On a cloud, returns a locally shortest
   // path.
   Bounded_path shortest_path(const Surface_location& from, const Surface_location& to);

@@ -89,9 +89,9 @@ private:
 
 struct Cloud_path
 {
-  Shortened_path path;      // in the cloud's scale; has no points if there is no path
-  std::vector<Index> start; // the vertices of the graph path from which the search started
-  double start_length = 0.; // length of the smooth curve along that path; infinite if there is none
+  Shortened_path path;             // in the cloud's scale; has no points if there is no path
+  std::vector<Index> initial_path; // the vertices of the graph path that is shortened
+  double initial_length = 0.;      // length of the smooth curve along it; infinite if there is none
 };
 
 // Finds shortest paths on a surfel cloud between pairs of locations.
@@ -112,12 +112,17 @@ public:
   // along the graph path.  All points are covered by surfels, see Surfel_coverage.  The surfels of
   // consecutive points are joined by short graph paths, so that the path neither crosses gaps nor
   // jumps between sheets.
-  Cloud_path operator()(const Tangent_location& from, const Tangent_location& to);
+  Cloud_path operator()(const Tangent_location& from, const Tangent_location& to)
+  {
+    return shorten({from, to});
+  }
+  // Returns the path between the ends of a polyline that results from shortening the polyline.
+  // Graph paths join consecutive locations, of which there are at least two.
+  Cloud_path shorten(const std::vector<Tangent_location>& polyline);
 
 private:
-  std::vector<Projection> initial_path(const Tangent_location& from,
-                                       const std::vector<Index>& vertices,
-                                       const Tangent_location& to) const;
+  bool append_initial_path(const std::vector<Tangent_location>& polyline, Cloud_path& result,
+                           std::vector<Projection>& chain);
   bool reroute_over_gaps(Shortened_path& path);
 
   std::shared_ptr<const Fitted_cloud> m_cloud;
