@@ -262,6 +262,35 @@ TEST(Earth_movers_solver, can_be_cancelled)
   EXPECT_EQ(solver.potential(Vertex(300)), potential);
 }
 
+TEST(Earth_movers_solver, likelihood_is_smoothed_by_diffusion)
+{
+  Mesh mesh = mesh_of(square(16));
+  GP::Earth_movers_solver<Mesh> solver(mesh);
+  solver.compute(Vertex(0), Vertex(288));
+  const auto raw = vertex_map(mesh), smoothed = vertex_map(mesh);
+  solver.write_likelihood(raw);
+  solver.write_likelihood(smoothed, GP::parameters::smoothing_radius(0.1));
+  const auto relative_variation = [&](const auto& likelihood)
+  {
+    double result = 0., sum = 0.;
+    for(const double value : values(mesh, likelihood))
+      sum += value;
+    for(const auto e : mesh.edges())
+      result += std::abs(likelihood[mesh.vertex(e, 0)] - likelihood[mesh.vertex(e, 1)]);
+    return result / sum;
+  };
+  for(const auto& likelihood : {raw, smoothed})
+  {
+    const std::vector<double> all = values(mesh, likelihood);
+    EXPECT_EQ(*std::max_element(all.begin(), all.end()), 1.);
+    EXPECT_GE(*std::min_element(all.begin(), all.end()), 0.);
+  }
+  EXPECT_LT(relative_variation(smoothed), 0.8 * relative_variation(raw)); // the radius is 1.6 edges
+  for(const double radius : {-1., std::nan(""), GP::internal::infinity})
+    EXPECT_THROW(solver.write_likelihood(smoothed, GP::parameters::smoothing_radius(radius)),
+                 GP::Invalid_argument_error);
+}
+
 TEST(Earth_movers_solver, throws_on_invalid_masses)
 {
   Mesh mesh = mesh_of(disjoint_union(square(4), square(4)));

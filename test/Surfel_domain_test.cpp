@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
+
+#include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
 
@@ -252,11 +254,16 @@ TEST(Surfel_domain, locations_round_trip)
 TEST(Surfel_domain, result_is_independent_of_threads)
 {
   const Surfels surfels = sphere_surfels(4);
-  const auto one = GP::Surfel_domain<Surfels>(surfels, maps).triangles(),
-             three = GP::Surfel_domain<Surfels>(surfels, maps.number_of_threads(3u)).triangles();
-  EXPECT_EQ(one->corner, three->corner);
-  EXPECT_EQ(one->length, three->length);
-  EXPECT_EQ(one->graph.target, three->graph.target);
+  const auto one = GP::make_domain(surfels, maps).triangles();
+  for(const auto& several :
+      {GP::make_domain<CGAL::Parallel_tag>(surfels, maps).triangles(),
+       GP::make_domain<CGAL::Parallel_tag>(surfels, maps.number_of_threads(3u)).triangles(),
+       GP::Surfel_domain<Surfels>(surfels, maps.number_of_threads(3u)).triangles()})
+  {
+    EXPECT_EQ(one->corner, several->corner);
+    EXPECT_EQ(one->length, several->length);
+    EXPECT_EQ(one->graph.target, several->graph.target);
+  }
 }
 
 template <typename T>

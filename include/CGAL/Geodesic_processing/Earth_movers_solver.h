@@ -86,12 +86,24 @@ public:
 
   /// writes the likelihood that mass passes each vertex or surfel, a number in [0, 1]. It is the
   /// mean length of the flow in the incident triangles, divided by its maximum.
+  ///
   /// \param map receives a `double` for each vertex or surfel
-  /// \param radius standard deviation of the diffusion that smooths the result, in the unit of
-  ///   the coordinates
-  template <typename LikelihoodMap>
-  void write_likelihood(LikelihoodMap map, double radius = 0.) const
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{smoothing_radius}
+  ///     \cgalParamDescription{standard deviation of the diffusion that smooths the result, in the
+  ///       unit of the coordinates}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{0: not smoothed}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Invalid_argument_error if the radius is negative or not finite
+  template <typename LikelihoodMap, typename NamedParameters = internal::Default_parameters>
+  void write_likelihood(LikelihoodMap map, const NamedParameters& np = NamedParameters()) const
   {
+    const double radius = internal::parameter(np, internal_np::smoothing_radius, 0.);
+    if(!(radius >= 0. && radius < internal::infinity))
+      throw Invalid_argument_error("The smoothing radius is negative or not finite.");
     const internal::Surface_arrays& t = *m_domain.triangles();
     internal::Vector lengths = internal::mean_magnitudes(t, m_result.flow);
     if(radius > 0.)

@@ -90,7 +90,7 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
   Solver solver(domain, np);
   const Earth_movers_cost cost = solver.template compute<Method>(
       gaussian_density(from_p), gaussian_density(from_q), internal::chain(np).do_normalize(true));
-  solver.write_likelihood(likelihood_map, 0.25 * width);
+  solver.write_likelihood(likelihood_map, parameters::smoothing_radius(0.25 * width));
   solver.write_maps(np);
   return cost;
 }

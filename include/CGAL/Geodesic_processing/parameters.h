@@ -62,6 +62,7 @@ namespace CGAL::Geodesic_processing {
   NAME(arrival_map)                                                                                \
   NAME(capacities)                                                                                 \
   NAME(spreading_weight)                                                                           \
+  NAME(smoothing_radius)                                                                           \
   NAME(weights)                                                                                    \
   NAME(objective_map)                                                                              \
   NAME(do_normalize)                                                                               \

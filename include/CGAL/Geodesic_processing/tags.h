@@ -29,8 +29,8 @@ struct Fast_marching
 /// vertex stores the direction to its source.
 ///
 /// The triangles are those of an intrinsic triangulation with the metric of the mesh.
-/// \cgalCite{cgal:fsbs-acidt-07} Edges are flipped if the opposite angles sum to more than 190
-/// degrees. Therefore needles and caps need no more time than other triangles. If an edge is longer
+/// \cgalCite{cgal:fsbs-acidt-07} Edges are flipped if the opposite angles sum to more than 198
+/// degrees, or 190 degrees if large triangles cover a tenth of the area. Therefore needles and caps need no more time than other triangles. If an edge is longer
 /// than five times the root of the mean area per vertex, all edges longer than three times this
 /// root are bisected, because large triangles cause large errors. A mesh of few vertices counts as
 /// one of 500. A solver computes this triangulation once. Samples, cells and charts, which need

@@ -7,18 +7,15 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/number_of_threads.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/parameters.h>
-
-#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -93,18 +90,6 @@ Front_limits limits(const Domain& domain, const NamedParameters& np)
     result.targets = locations(domain, parameter(np, internal_np::targets, none));
   result.slowness = read_slowness(domain, np);
   return result;
-}
-
-// Returns the number of threads: 1 if `Concurrency_tag` is `Sequential_tag`, otherwise the named
-// parameter `number_of_threads`, by default the number of hardware threads.
-template <typename Concurrency_tag, typename NamedParameters>
-unsigned number_of_threads(const NamedParameters& np)
-{
-  if constexpr(std::is_same_v<Concurrency_tag, Sequential_tag>)
-    return 1;
-  else
-    return parameter(np, internal_np::number_of_threads,
-                     (std::max)(1u, std::thread::hardware_concurrency()));
 }
 
 } // namespace CGAL::Geodesic_processing::internal
