@@ -42,6 +42,7 @@
 #include <CGAL/Geodesic_processing/geodesic_path.h>
 #include <CGAL/Geodesic_processing/geodesic_voronoi_diagram.h>
 #include <CGAL/Geodesic_processing/hodge_decomposition.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 #include <CGAL/Geodesic_processing/make_domain.h>

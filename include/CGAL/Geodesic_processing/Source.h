@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/mesh_of.h>
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 
 #include <cmath>
 #include <optional>
@@ -73,8 +74,7 @@ template <typename Mesh, typename OutputIterator>
 OutputIterator border_sources(const Mesh& mesh_or_domain, OutputIterator out)
 {
   using TriangleMesh = Surface_of<Mesh>;
-  static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "A cloud has no boundary cycles, because its triangles are not connected.");
+  static_assert(internal::require_support<Function::border_sources, Mesh>());
   const TriangleMesh& mesh = internal::mesh_of(mesh_or_domain);
   using Graph = boost::graph_traits<TriangleMesh>;
   using Halfedge = typename Graph::halfedge_descriptor;

@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/internal/adaptors/read_triangles.h>
 #include <CGAL/Geodesic_processing/internal/subdivision/hierarchy.h>
 #include <CGAL/Geodesic_processing/internal/subdivision/zerotree.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -67,8 +68,7 @@ struct Wavelet_details
 template <typename TriangleMesh>
 class Subdivision_wavelet
 {
-  static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "A wavelet transform needs a mesh, because its levels follow from the faces.");
+  static_assert(internal::require_support<Function::Subdivision_wavelet, TriangleMesh>());
 
 public:
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;

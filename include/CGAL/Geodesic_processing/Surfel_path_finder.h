@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/internal/paths/Cloud_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/path_options.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 
@@ -65,6 +66,8 @@ using Geodesic_path = std::conditional_t<internal::Is_cloud<Surface>::value, Sur
 template <typename SurfelRange>
 class Surfel_path_finder
 {
+  static_assert(internal::require_support<Function::Surfel_path_finder, SurfelRange>());
+
 public:
   using Surface = SurfelRange;
   using Traits = internal::Surface_traits<Surface>;

@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/transport_options.h>
 #include <CGAL/Geodesic_processing/internal/transport/volumetric.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/mean_value_coordinates.h>
 
 #include <CGAL/tags.h>
@@ -38,8 +39,7 @@ namespace CGAL::Geodesic_processing {
 template <typename TriangleMesh>
 class Volumetric_metric
 {
-  static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "Volumetric distances need a closed mesh, because a cloud encloses no volume.");
+  static_assert(internal::require_support<Function::Volumetric_metric, TriangleMesh>());
 
 public:
   using Domain = internal::Domain_of<TriangleMesh>;

@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/mesh_of.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/texels.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -64,8 +65,7 @@ std::vector<Decal_color> bake_atlas(const Mesh& mesh_or_domain, UVMap corner_uv_
                                     const NamedParameters& np = NamedParameters())
 {
   using TriangleMesh = Surface_of<Mesh>;
-  static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "A texture needs a mesh, because a cloud has no faces.");
+  static_assert(internal::require_support<Function::bake_atlas, Mesh>());
   const TriangleMesh& mesh = internal::mesh_of(mesh_or_domain);
   if(!is_triangle_mesh(mesh))
     throw Unsupported_surface_error("A face is not a triangle.");

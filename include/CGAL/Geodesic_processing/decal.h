@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/adaptors/colors.h>
 #include <CGAL/Geodesic_processing/internal/log_map/decal.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 
 #include <algorithm>
@@ -268,8 +269,7 @@ Decal_texture<TriangleMesh> bake_decals(const std::vector<Decal_layer<TriangleMe
                                         std::size_t segments,
                                         const NamedParameters& np = NamedParameters())
 {
-  static_assert(!internal::Is_cloud<TriangleMesh>::value,
-                "A texture requires a mesh, because a cloud has no faces; use composite_decal().");
+  static_assert(internal::require_support<Function::bake_decals, TriangleMesh>());
   Decal_texture<TriangleMesh> texture;
   // The first triangle of the texture is the background.
   std::map<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::size_t> triangle_of;

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/numerics/singular_values.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
@@ -149,6 +150,7 @@ Face_distortion distortion_of_triangle(const Domain& domain, Index triangle, con
 ///
 /// Computes the distortion of a face by a map to the plane.
 ///
+/// \tparam Face a face descriptor of the mesh
 /// \tparam Mesh a model of `FaceListGraph`, or its domain. A cloud has no faces: use
 ///         `surface_distortion()` or `flattening_distortion()`.
 /// \tparam UVMap a model of `ReadablePropertyMap` with vertices or halfedges as keys and `Point_2`
@@ -161,11 +163,12 @@ Face_distortion distortion_of_triangle(const Domain& domain, Index triangle, con
 /// \returns the singular values of the map, the area of the face, and whether its image is inverted
 ///
 /// O(1).
-template <typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters>
-Face_distortion
-face_distortion(typename boost::graph_traits<Surface_of<Mesh>>::face_descriptor face,
-                const Mesh& mesh, UVMap uv_map, const NamedParameters& np = NamedParameters())
+template <typename Face, typename Mesh, typename UVMap,
+          typename NamedParameters = internal::Default_parameters>
+Face_distortion face_distortion(Face face, const Mesh& mesh, UVMap uv_map,
+                                const NamedParameters& np = NamedParameters())
 {
+  static_assert(internal::require_support<Function::face_distortion, Mesh>());
   if constexpr(!std::is_same_v<Mesh, Surface_of<Mesh>>)
   {
     (void)np;

@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/internal/sampling/voronoi.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 
@@ -199,8 +200,8 @@ void geodesic_voronoi_cells(const Surface& mesh, const Seeds& seeds, TriangleMes
 {
   using internal::Index;
   const auto domain = make_domain(mesh, np);
-  static_assert(!internal::Is_cloud<typename std::decay_t<decltype(domain)>::Surface>::value,
-                "Cutting cells needs a mesh, because the triangles of a cloud overlap.");
+  static_assert(internal::require_support<Function::geodesic_voronoi_cells,
+                                          typename std::decay_t<decltype(domain)>::Surface>());
   const auto found = internal::compute_labeled_voronoi<Method>(domain, seeds, np);
   const internal::Voronoi_diagram::Cut_mesh cut = found.cells.cut();
 

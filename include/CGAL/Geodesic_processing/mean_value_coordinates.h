@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_MEAN_VALUE_COORDINATES_H
 
 #include <CGAL/Geodesic_processing/internal/transport/mean_value.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/number_utils.h>
@@ -51,8 +52,8 @@ void mean_value_coordinates(const Mesh& mesh, const Point& point, CoordinateMap 
                             const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
-  static_assert(!internal::Is_cloud<typename decltype(domain)::Surface>::value,
-                "Mean value coordinates need a closed mesh, because a cloud encloses no volume.");
+  static_assert(internal::require_support<Function::mean_value_coordinates,
+                                          typename decltype(domain)::Surface>());
   const internal::Vector found =
       internal::Mean_value_coordinates(domain.triangles())(internal::spatial(point));
   domain.write([&](internal::Index i) { return found[i]; }, coordinate_map);

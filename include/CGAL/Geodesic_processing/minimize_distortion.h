@@ -10,6 +10,7 @@
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/untangling.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
@@ -82,8 +83,8 @@ Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
 {
   using Value = typename boost::property_traits<UVMap>::value_type;
   const auto domain = make_domain(mesh, np);
-  static_assert(!internal::Is_cloud<typename decltype(domain)::Surface>::value,
-                "Minimizing distortion needs a mesh, because a cloud has no faces.");
+  static_assert(internal::require_support<Function::minimize_distortion,
+                                          typename decltype(domain)::Surface>());
   const internal::Surface_arrays& triangles = *domain.triangles();
   std::vector<internal::Vec2> image(domain.number_of_vertices());
   for(internal::Index i = 0; i < image.size(); ++i)

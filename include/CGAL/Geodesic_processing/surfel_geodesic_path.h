@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/is_supported.h>
 
 #include <CGAL/tags.h>
 
@@ -36,8 +37,7 @@ Surfel_path<Surface_of<Cloud>> surfel_geodesic_path(const Cloud& surfels, const 
                                                     const ToLocation& to,
                                                     const NamedParameters& np = NamedParameters())
 {
-  static_assert(internal::Is_cloud<Surface_of<Cloud>>::value,
-                "The energy is that of surfels: use geodesic_path() on a mesh.");
+  static_assert(internal::require_support<Function::surfel_geodesic_path, Cloud>());
   return Surfel_path_finder<Surface_of<Cloud>>(surfels, np)(from, to);
 }
 

@@ -27,6 +27,7 @@ template <typename Mesh, typename From, typename To,
 Earth_movers_cost volumetric_distance(const Mesh& mesh, const From& from, const To& to,
                                       const NamedParameters& np = NamedParameters())
 {
+  static_assert(internal::require_support<Function::volumetric_distance, Mesh>());
   const auto domain = make_domain(mesh, np);
   return Volumetric_metric<typename decltype(domain)::Surface>(domain, np).cost(from, to, np);
 }
