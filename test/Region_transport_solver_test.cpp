@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/Region_transport_solver.h>
 
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
+#include <CGAL/Geodesic_processing/locate_on_surface.h>
 
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Point_set_3.h>
@@ -119,6 +120,37 @@ TEST(Region_transport_solver, works_on_clouds)
     exact = std::min(exact, 2. * std::asin(0.5 * std::sqrt(CGAL::squared_distance(
                                                      cloud.point(i), cloud.point(Index(500))))));
   EXPECT_NEAR(solver.compute(Index(500)).value, exact, 0.015 * exact); // as between two surfels
+}
+
+// Mass that arrives between surfels is distributed to the corners of a triangle, which preserves its
+// center.
+TEST(Region_transport_solver, accepts_locations_between_surfels)
+{
+  const Surfels surfels = sphere_surfels(3);
+  using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
+  Cloud cloud(true);
+  for(const auto& [point, normal] : surfels)
+    cloud.insert(point, normal);
+  const auto domain = GP::make_domain(cloud);
+  const auto location = GP::locate_on_surface(domain, Kernel::Point_3(0.3, 0.5, 0.8));
+  GP::Region_transport_solver<Cloud> solver(domain, location);
+  solver.compute(std::vector<Cloud::Index>{Cloud::Index(500), Cloud::Index(100)});
+  Kernel::Vector_3 center(0., 0., 0.);
+  double sum = 0.;
+  std::size_t number_of_arrivals = 0;
+  for(const Cloud::Index& i : cloud)
+  {
+    EXPECT_TRUE(solver.is_reachable(i));
+    const double arrival = solver.arrival(i);
+    number_of_arrivals += std::abs(arrival) > 1e-9;
+    sum += arrival;
+    center = center + arrival * (cloud.point(i) - CGAL::ORIGIN);
+  }
+  // Round-off errors of the conservation of mass.
+  EXPECT_NEAR(sum, 1., 1e-9);
+  EXPECT_LE(number_of_arrivals, 3u);
+  const auto expected = domain.point(domain.inner(location));
+  EXPECT_LT(std::sqrt(CGAL::squared_distance(CGAL::ORIGIN + center, expected)), 1e-9);
 }
 
 // Checks capacities and spreading with three exits in one row.  The nearest one has too little

@@ -4,10 +4,16 @@
 
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
+#include <CGAL/Geodesic_processing/locate_on_surface.h>
+#include <CGAL/Geodesic_processing/transport_to_region.h>
 
 #include <CGAL/Point_set_3.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
+#include "Array_surface.h"
 #include "Mesh_of.h"
+#include "clouds.h"
 
 #include <gtest/gtest.h>
 
@@ -194,9 +200,153 @@ TEST(Feature_distance, accepts_point_sets)
                        double(cloud.size());
   // A fraction of the edge length 0.06 around the point.
   EXPECT_LT(std::abs(mean_difference), 0.03);
-  // A location next to a surfel lies in no triangle.
-  const GP::Surfel_location<decltype(cloud)::Index> next_to_surfel{*cloud.begin(), {0.01, 0.}};
-  EXPECT_THROW(GP::feature_distance(cloud, next_to_surfel, found), GP::Invalid_argument_error);
+}
+
+using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
+
+Point_set point_set_of(const Cloud& cloud, double scale = 1.)
+{
+  Point_set result(true);
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const Vec3 p = scale * cloud.points[i], &n = cloud.normals[i];
+    result.insert(Kernel::Point_3(p[0], p[1], p[2]), Kernel::Vector_3(n[0], n[1], n[2]));
+  }
+  return result;
+}
+
+// Distances of all surfels to a feature.
+template <typename Domain, typename Feature>
+std::vector<double> distances_to(const Domain& domain, const Feature& feature)
+{
+  std::vector<double> result(domain.number_of_vertices());
+  EXPECT_TRUE(GP::feature_distance(domain, feature,
+                                   boost::make_function_property_map<std::size_t>(
+                                       [&](std::size_t i) -> double& { return result[i]; }))
+                  .is_converged);
+  return result;
+}
+
+// Returns the point of the unit sphere above a location.
+template <typename Domain, typename Location>
+Point on_sphere(const Domain& domain, const Location& location)
+{
+  const auto p = domain.point(domain.inner(location));
+  return GP::internal::unit({p.x(), p.y(), p.z()});
+}
+
+TEST(Feature_distance, accepts_locations_between_surfels)
+{
+  for(const std::size_t n : {1000, 4000})
+  {
+    const Cloud cloud = ellipsoid_cloud(n, {1., 1., 1.});
+    const double edge_length = std::sqrt(8. * GP::internal::pi / (std::sqrt(3.) * double(n)));
+    const auto domain = GP::make_domain(point_set_of(cloud));
+    for(const Kernel::Point_3& p :
+        {Kernel::Point_3(0.3, 0.5, 0.8), Kernel::Point_3(-0.9, 0.3, -0.3)})
+    {
+      const auto location = GP::locate_on_surface(domain, p);
+      ASSERT_NE(location.offset, (std::array<double, 2>{0., 0.}));
+      const Point center = on_sphere(domain, location);
+      const std::vector<double> found = distances_to(domain, location);
+      double mean_difference = 0.;
+      for(std::size_t i = 0; i < n; ++i)
+      {
+        const double exact = great_circle(center, cloud.points[i]);
+        EXPECT_LE(found[i], exact + 1e-9);
+        mean_difference += (exact - found[i]) / double(n);
+      }
+      // The triangle is split at the location, with angles up to 180 degrees. The slope of the
+      // potential is at most one there, so that it rises less than the distance does, by at most an
+      // edge length. Measured: up to 0.6 edge lengths.
+      EXPECT_LT(mean_difference, 0.75 * edge_length);
+    }
+  }
+}
+
+TEST(Feature_distance, of_location_without_offset_is_that_of_the_surfel)
+{
+  const auto domain = GP::make_domain(point_set_of(ellipsoid_cloud(500, {1., 1., 1.})));
+  const Point_set::Index surfel(17);
+  EXPECT_EQ(distances_to(domain, GP::Location<Point_set>{surfel, {0., 0.}}),
+            distances_to(domain, surfel));
+}
+
+TEST(Feature_distance, is_symmetric_and_scale_invariant_between_surfels)
+{
+  const Cloud cloud = ellipsoid_cloud(1000, {1., 1., 1.});
+  using Domain = GP::Surfel_domain<Point_set>;
+  const auto locate = [](const Domain& domain, const Point& p, double scale)
+  {
+    return GP::locate_on_surface(domain, Kernel::Point_3(scale * p[0], scale * p[1], scale * p[2]));
+  };
+  const auto cost = [&](const Point& from, const Point& to, double scale)
+  {
+    const Domain domain = GP::make_domain(point_set_of(cloud, scale));
+    return GP::transport_to_region(domain, locate(domain, from, scale), locate(domain, to, scale))
+               .value /
+           scale;
+  };
+  const Point p = {0.3, 0.5, 0.8}, q = {-0.9, 0.3, -0.3};
+  const double value = cost(p, q, 1.);
+  // A location of a mass is distributed to the corners of its triangle, and the triangle of a
+  // region is split: each of them costs a fraction of the edge length 0.12.
+  EXPECT_NEAR(cost(q, p, 1.), value, 0.06);
+  const Domain domain = GP::make_domain(point_set_of(cloud));
+  EXPECT_NEAR(value,
+              great_circle(on_sphere(domain, locate(domain, p, 1.)),
+                           on_sphere(domain, locate(domain, q, 1.))),
+              0.12);
+  for(const double scale : {1e-6, 1e6})
+    EXPECT_NEAR(cost(p, q, scale), value, 1e-6); // the steps of the solver amplify round-off errors
+}
+
+// The distance to a parallel of a torus is the length of an arc around the tube.
+TEST(Feature_distance, is_accurate_for_many_locations_on_a_torus)
+{
+  constexpr double tube = 0.4, angle = 0.37;
+  const Cloud cloud = torus_cloud(1000, tube);
+  const auto domain = GP::make_domain(point_set_of(cloud));
+  std::vector<GP::Location<Point_set>> parallel;
+  const double radius = 1. + tube * std::cos(angle);
+  for(int i = 0; i < 300; ++i)
+  {
+    const double u = 2. * GP::internal::pi * i / 300.;
+    parallel.push_back(
+        GP::locate_on_surface(domain, Kernel::Point_3(radius * std::cos(u), radius * std::sin(u),
+                                                      tube * std::sin(angle))));
+  }
+  const std::vector<double> found = distances_to(domain, parallel);
+  double mean_difference = 0.;
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const Vec3& p = cloud.points[i];
+    const double difference = std::abs(std::atan2(p[2], std::hypot(p[0], p[1]) - 1.) - angle);
+    const double exact = tube * std::min(difference, 2. * GP::internal::pi - difference);
+    // Locations are on triangles, below the tube by up to 0.006.
+    EXPECT_LE(found[i], exact + 0.006);
+    mean_difference += (exact - found[i]) / double(cloud.size());
+  }
+  EXPECT_LT(mean_difference, 0.09); // 0.75 edge lengths, as above
+}
+
+// A polyline in one triangle, and a polyline without common triangles.
+TEST(Feature_distance, accepts_polylines_within_triangles_of_clouds)
+{
+  const Cloud cloud = square_cloud(11);
+  const auto domain = GP::make_domain(point_set_of(cloud));
+  // Both ends of an edge between adjacent surfels of the grid.
+  const std::size_t corner = 11 * 5 + 5;
+  const auto at = [&](double x, double y)
+  { return GP::locate_on_surface(domain, Kernel::Point_3(x, y, 0.)); };
+  using Source = GP::Source<Point_set>;
+  const std::vector<GP::Location<Point_set>> edge = {at(0.5, 0.5), at(0.6, 0.5)};
+  ASSERT_EQ(std::size_t(edge[0].surfel), corner);
+  const std::vector<double> found = distances_to(domain, Source(edge));
+  EXPECT_EQ(found[corner], 0.);
+  EXPECT_EQ(found[corner + 11], 0.);
+  const std::vector<GP::Location<Point_set>> too_far = {at(0.5, 0.5), at(0.9, 0.5)};
+  EXPECT_THROW(distances_to(domain, Source(too_far)), GP::Invalid_argument_error);
 }
 
 TEST(Feature_distance, is_infinite_if_unreachable)

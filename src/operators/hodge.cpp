@@ -4,6 +4,8 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -48,6 +50,85 @@ Hodge_components Hodge_solver::decompose(const Field& field) const
   result.harmonic = field;
   for(std::size_t f = 0; f < field.size(); ++f)
     result.harmonic[f] = field[f] - result.gradient[f] - result.rotation[f];
+  return result;
+}
+
+namespace {
+
+// Returns for each vertex of a cloud the vertex that represents it. This is the vertex itself, or
+// for a copy without triangles the coincident vertex that has triangles.
+std::vector<Index> representatives(const Surface_arrays& cloud)
+{
+  const auto has_triangles = [&](Index vertex)
+  { return cloud.ring_begin[vertex] < cloud.ring_begin[vertex + 1]; };
+  std::vector<Index> result(cloud.number_of_vertices());
+  std::iota(result.begin(), result.end(), Index(0));
+  for(Index vertex = 0; vertex < result.size(); ++vertex)
+    if(!has_triangles(vertex))
+      for(Index i = cloud.graph.begin[vertex]; i < cloud.graph.begin[vertex + 1]; ++i)
+        if(cloud.graph.length[i] == 0. && has_triangles(cloud.graph.target[i]))
+          result[vertex] = cloud.graph.target[i];
+  return result;
+}
+
+Vec3 tangential(const Vec3& vector, const Vec3& normal)
+{
+  return vector - dot(vector, normal) * normal;
+}
+
+// Returns the mean of the field over coincident surfels, for the surfel that represents them.
+std::vector<Vec3> mean_of_copies(const std::vector<Index>& representative,
+                                 const std::vector<Vec3>& field)
+{
+  std::vector<Vec3> result(field.size(), Vec3{0., 0., 0.});
+  std::vector<double> count(field.size(), 0.);
+  for(std::size_t vertex = 0; vertex < field.size(); ++vertex)
+  {
+    result[representative[vertex]] = result[representative[vertex]] + field[vertex];
+    count[representative[vertex]] += 1.;
+  }
+  for(std::size_t vertex = 0; vertex < field.size(); ++vertex)
+    result[vertex] = (1. / std::max(count[vertex], 1.)) * result[vertex];
+  return result;
+}
+
+} // namespace
+
+Surfel_field_components gradient_and_remainder(const Surface_arrays& cloud, std::vector<Vec3> field)
+{
+  if(!cloud.is_cloud())
+    throw Unsupported_surface_error("Fields of surfels need a cloud: a mesh has no normals.");
+  for(std::size_t vertex = 0; vertex < field.size(); ++vertex)
+    field[vertex] = tangential(field[vertex], cloud.normal[vertex]);
+  const std::vector<Index> representative = representatives(cloud);
+  const std::vector<Vec3> mean = mean_of_copies(representative, field);
+
+  const Operators o = operators(cloud);
+  Field planar(o.number_of_triangles());
+  for(Index f = 0; f < planar.size(); ++f)
+  {
+    const Index* corner = &o.corner[3 * std::size_t(f)];
+    planar[f] =
+        in_plane(cloud, f, (1. / 3.) * (mean[corner[0]] + mean[corner[1]] + mean[corner[2]]));
+  }
+  const Field gradient_field = gradient(o, Poisson_solver(o).solve(minus_divergence(o, planar)));
+
+  Surfel_field_components result;
+  std::vector<Vec3> sum(field.size(), Vec3{0., 0., 0.});
+  std::vector<double> area(field.size(), 0.);
+  for(Index c = 0; c < o.corner.size(); ++c)
+  {
+    const Index vertex = o.corner[c];
+    sum[vertex] = sum[vertex] + o.area[c / 3] * in_space(cloud, c / 3, gradient_field[c / 3]);
+    area[vertex] += o.area[c / 3];
+  }
+  for(std::size_t vertex = 0; vertex < field.size(); ++vertex)
+  {
+    const Index source = representative[vertex];
+    const Vec3 vector = area[source] > 0. ? (1. / area[source]) * sum[source] : Vec3{0., 0., 0.};
+    result.gradient.push_back(tangential(vector, cloud.normal[vertex]));
+    result.remainder.push_back(field[vertex] - result.gradient[vertex]);
+  }
   return result;
 }
 

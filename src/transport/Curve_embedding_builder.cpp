@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include "core/unfold.h"
+#include "transport/uniform_refinement.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -79,6 +80,21 @@ Index common_edge(const Barycentric& p, const Barycentric& q)
   return both & 1u ? 0 : both & 2u ? 1 : both & 4u ? 2 : none;
 }
 
+// Returns for each halfedge the first halfedge of its edge. On a cloud, an edge consists of all
+// halfedges with the same ends.
+std::vector<Index> first_halfedges(const Surface_arrays& t)
+{
+  std::vector<Index> result = edge_midpoints(t);
+  std::vector<Index> first(result.size(), none); // of each midpoint
+  for(Index h = 0; h < result.size(); ++h)
+  {
+    Index& edge = first[result[h] - t.number_of_vertices()];
+    edge = std::min(edge, h);
+    result[h] = edge;
+  }
+  return result;
+}
+
 } // namespace
 
 class Curve_embedding::Builder
@@ -86,7 +102,7 @@ class Curve_embedding::Builder
 public:
   Builder(Curve_embedding& result, const std::vector<std::vector<Surface_location>>& curves,
           const std::vector<Index>& region_vertices)
-      : m_result(result), m_coarse(*result.m_coarse),
+      : m_result(result), m_coarse(*result.m_coarse), m_canonical(first_halfedges(m_coarse)),
         m_vertex_kind(m_coarse.number_of_vertices(), Vertex_kind::free)
   {
     for(const Index vertex : region_vertices)
@@ -131,12 +147,14 @@ private:
     std::vector<Segment> segments;
   };
 
-  bool is_canonical(Index h) const
+  // The canonical halfedge of an edge stands for all of its halfedges.
+  Index canonical(Index h) const { return m_canonical[h]; }
+  // Returns true if a halfedge and its canonical halfedge have opposite directions.
+  bool is_reversed(Index h) const
   {
-    const Index twin = m_coarse.twin[h];
-    return twin == none || h < twin;
+    return m_coarse.is_cloud() ? m_coarse.corner[h] != m_coarse.corner[canonical(h)]
+                               : h != canonical(h);
   }
-  Index canonical(Index h) const { return is_canonical(h) ? h : m_coarse.twin[h]; }
 
   Index add_new_vertex(const Surface_location& location, Vertex_kind kind)
   {
@@ -147,11 +165,9 @@ private:
 
   Index add_edge_point(Index h, double parameter, Vertex_kind kind)
   {
-    if(!is_canonical(h))
-    {
-      h = m_coarse.twin[h];
+    if(is_reversed(h))
       parameter = 1. - parameter;
-    }
+    h = canonical(h);
     std::vector<Edge_point>& points = m_edges[h].points;
     for(const Edge_point& point : points)
       if(std::abs(point.parameter - parameter) < snapping_tolerance)
@@ -226,7 +242,7 @@ private:
     }
     const Index h = 3 * triangle + k;
     double from = a[(k + 1) % 3], to = b[(k + 1) % 3];
-    if(!is_canonical(h))
+    if(is_reversed(h))
     {
       from = 1. - from;
       to = 1. - to;
@@ -248,7 +264,7 @@ private:
   {
     for(Index h = 0; h < m_coarse.corner.size(); ++h)
     {
-      if(!is_canonical(h))
+      if(canonical(h) != h)
         continue;
       const Index from = m_coarse.corner[h], to = m_coarse.corner[next_halfedge(h)];
       const auto found = m_edges.find(h);
@@ -312,7 +328,9 @@ private:
   {
     m_fine = m_coarse;
     m_fine.point.clear();
+    m_fine.normal.clear();
     m_fine.ring.clear();
+    m_fine.twin.resize(m_fine.corner.size(), none); // empty on a cloud
     for(Index triangle = 0; triangle < m_coarse.number_of_triangles(); ++triangle)
       if(is_split(triangle))
         triangulate(triangle);
@@ -363,7 +381,7 @@ private:
       if(const auto found = m_edges.find(canonical(h)); found != m_edges.end())
         for(const Edge_point& point : found->second.points)
           insert(
-              barycentric_on_halfedge(h, is_canonical(h) ? point.parameter : 1. - point.parameter),
+              barycentric_on_halfedge(h, is_reversed(h) ? 1. - point.parameter : point.parameter),
               point.vertex);
     if(const auto found = m_interiors.find(triangle); found != m_interiors.end())
       for(const auto& [point, vertex] : found->second.points)
@@ -491,9 +509,21 @@ private:
   }
 
   // Connects the halfedges on both sides of each edge, which are sorted by parameter. Twins get the
-  // larger one of their rounded lengths.
+  // larger one of their rounded lengths. On a cloud there are no twins.
   void connect_subtriangles()
   {
+    if(m_coarse.is_cloud())
+    {
+      m_fine.twin.assign(m_fine.corner.size(), none);
+      build_rings(m_fine, m_vertex_kind.size());
+      m_fine.twin.clear();
+      m_fine.graph = {std::vector<Index>(m_vertex_kind.size() + 1, 0), {}, {}};
+      m_fine.weight.resize(m_fine.number_of_triangles());
+      for(const Subtriangle& subtriangle : m_result.m_subtriangles)
+        m_fine.weight[subtriangle.triangle] = m_coarse.weight[subtriangle.parent];
+      m_result.m_fine = std::make_shared<const Surface_arrays>(std::move(m_fine));
+      return;
+    }
     for(auto& [h, subedges] : m_subedges)
       std::sort(subedges.begin(), subedges.end());
     for(const auto& [h, subedges] : m_subedges)
@@ -528,6 +558,7 @@ private:
 
   Curve_embedding& m_result;
   const Surface_arrays& m_coarse;
+  std::vector<Index> m_canonical;         // #halfedges: the first halfedge of the edge
   std::vector<Vertex_kind> m_vertex_kind; // #vertices, new ones included
   std::map<Index, Edge_data> m_edges;     // key: the canonical halfedge of an edge
   std::map<Index, Interior> m_interiors;  // key: triangle

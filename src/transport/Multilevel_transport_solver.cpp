@@ -150,8 +150,6 @@ Multilevel_transport_solver::Multilevel_transport_solver(
 void Multilevel_transport_solver::embed_curves()
 {
   const Level& input = m_levels.front();
-  if(input.triangles->is_cloud())
-    throw Invalid_argument_error("A region on a cloud has a location that is not at a surfel.");
   std::vector<std::vector<Index>> exits = m_region.exits;
   std::vector<Index> region_vertices;
   for(const std::vector<Index>& exit : exits)

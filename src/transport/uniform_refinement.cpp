@@ -11,30 +11,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Returns the midpoint vertex of each halfedge, numbered from number_of_vertices() on. On a cloud,
-// all halfedges with the same ends have one midpoint.
-std::vector<Index> edge_midpoints(const Surface_arrays& t)
-{
-  std::vector<Index> result(t.corner.size());
-  Index next = Index(t.number_of_vertices());
-  if(!t.is_cloud())
-  {
-    for(Index h = 0; h < result.size(); ++h)
-      result[h] = t.twin[h] < h ? result[t.twin[h]] : next++;
-    return result;
-  }
-  const auto endpoints = [&](Index h) -> std::pair<Index, Index>
-  { return std::minmax(t.corner[h], t.corner[next_halfedge(h)]); };
-  std::vector<Index> order(result.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  std::sort(order.begin(), order.end(),
-            [&](Index a, Index b)
-            { return std::tuple(endpoints(a), a) < std::tuple(endpoints(b), b); });
-  for(std::size_t i = 0; i < order.size(); ++i)
-    result[order[i]] = i > 0 && endpoints(order[i]) == endpoints(order[i - 1]) ? next - 1 : next++;
-  return result;
-}
-
 // Sets the rings. The order around a vertex is that of `corners`.
 void set_rings(Surface_arrays& t, std::size_t number_of_vertices, const std::vector<Index>& corners)
 {
@@ -90,6 +66,28 @@ std::vector<Index> child_corners_by_vertex(const Surface_arrays& t)
 }
 
 } // namespace
+
+std::vector<Index> edge_midpoints(const Surface_arrays& t)
+{
+  std::vector<Index> result(t.corner.size());
+  Index next = Index(t.number_of_vertices());
+  if(!t.is_cloud())
+  {
+    for(Index h = 0; h < result.size(); ++h)
+      result[h] = t.twin[h] < h ? result[t.twin[h]] : next++;
+    return result;
+  }
+  const auto endpoints = [&](Index h) -> std::pair<Index, Index>
+  { return std::minmax(t.corner[h], t.corner[next_halfedge(h)]); };
+  std::vector<Index> order(result.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b)
+            { return std::tuple(endpoints(a), a) < std::tuple(endpoints(b), b); });
+  for(std::size_t i = 0; i < order.size(); ++i)
+    result[order[i]] = i > 0 && endpoints(order[i]) == endpoints(order[i - 1]) ? next - 1 : next++;
+  return result;
+}
 
 Surface_arrays refined(const Surface_arrays& t)
 {

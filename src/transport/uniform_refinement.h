@@ -6,7 +6,13 @@
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
+#include <vector>
+
 namespace CGAL::Geodesic_processing::internal {
+
+// Returns the midpoint vertex of each halfedge, numbered from number_of_vertices() on. On a cloud,
+// all halfedges with the same ends have one midpoint. O(n), on a cloud O(n log n).
+std::vector<Index> edge_midpoints(const Surface_arrays& triangles);
 
 // Returns the same surface after uniform refinement (1-to-4). Geodesic distances do not change.
 // Triangle f becomes 4f + k at its corner k, and 4f + 3 in the center. The corners keep their

@@ -55,12 +55,14 @@ Transport_region transport_region(const Domain& domain, const Region& region,
 ///
 /// The distribution of arriving masses is a variable: each mass takes a shortest path to the
 /// region. The region consists of vertices or surfels, and of the edges and faces between them.
-/// On a mesh it can also contain curves and locations inside faces. Moving within the region
-/// costs nothing.
+/// It can also contain curves and locations inside faces, or on a cloud between surfels. Moving
+/// within the region costs nothing.
 ///
 /// Faces that a curve crosses are split along the curve, so that mass arrives inside a face as
 /// easily as at a vertex. Arrivals inside a face are distributed to its vertices by barycentric
-/// coordinates.
+/// coordinates. On a cloud this is done in one local triangle at the location. Consecutive
+/// locations of a curve on a cloud must be in a common local triangle. For longer curves, pass a
+/// range of locations.
 ///
 /// The potential is zero in the region. Elsewhere its absolute value is a lower bound of the
 /// distance to the region. At each vertex that mass starts from or passes, this bound is close to
@@ -105,7 +107,7 @@ public:
   /// \cgalNamedParamsEnd
   /// \throws as `Earth_movers_solver`
   /// \throws Invalid_argument_error if the region is empty, if a location is not on the surface,
-  ///         or if a location on a cloud is not at a surfel
+  ///         or if two consecutive locations of a source have no common triangle
   /// \throws Invalid_argument_error if the number of capacities is not the number of sources, if
   ///         a capacity is not positive, or if two sources with limits share a vertex
   template <typename Region, typename NamedParameters = internal::Default_parameters>

@@ -17,6 +17,7 @@ namespace CGAL::Geodesic_processing {
 /// is minus the potential of a uniform mass that is transported to the feature.
 ///
 /// The distance is never above the geodesic distance, and it is smaller by a fraction of an edge.
+/// The fraction is larger if the feature is a location inside a face or between surfels.
 /// The distances of two points differ by at most the geodesic distance between them. A single
 /// solution yields all distances. The distribution of mass at the feature is a variable. If it is
 /// fixed, as in \cgalCite{cgal:srgb-emd-14}, section 6.2, only distances to points are obtained.

@@ -9,8 +9,24 @@
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+template <typename T, typename Tag, typename Base>
+std::true_type inherits_from_parameters(const CGAL::Named_function_parameters<T, Tag, Base>*);
+std::false_type inherits_from_parameters(const void*);
+
+// Distinguishes named parameters from property maps.
+template <typename T>
+inline constexpr bool is_named_parameters =
+    decltype(inherits_from_parameters(std::declval<const T*>()))::value;
+
+} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
@@ -29,8 +45,8 @@ namespace CGAL::Geodesic_processing {
 /// \tparam GradientMap a model of `WritablePropertyMap` with faces as keys and `Vector_3` as values
 /// \tparam RotationMap as `GradientMap`
 /// \tparam HarmonicMap as `GradientMap`
-/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`. A cloud is not supported, because it
-///        lacks the edges.
+/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`. On a cloud no rotation field is
+///        defined, because its edges do not separate two triangles.
 /// \param field a readable map of a `Vector_3` for each face; the normal component is ignored
 /// \param gradient_map, rotation_map, harmonic_map receive a `Vector_3` for each face
 /// \param np named parameters of `make_domain()`
@@ -38,14 +54,16 @@ namespace CGAL::Geodesic_processing {
 ///
 /// Takes two factorizations.
 template <typename Mesh, typename Field, typename GradientMap, typename RotationMap,
-          typename HarmonicMap, typename NamedParameters = internal::Default_parameters>
+          typename HarmonicMap, typename NamedParameters = internal::Default_parameters,
+          std::enable_if_t<!internal::is_named_parameters<HarmonicMap>, int> = 0>
 void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map,
                          RotationMap rotation_map, HarmonicMap harmonic_map,
                          const NamedParameters& np = NamedParameters())
 {
-  const auto domain = make_domain(mesh, np);
   static_assert(!internal::Is_cloud<Surface_of<Mesh>>::value,
-                "The decomposition needs a mesh, because a cloud has no faces.");
+                "A cloud has no rotation part, because its edges do not separate two triangles: "
+                "pass maps of the gradient and the remainder.");
+  const auto domain = make_domain(mesh, np);
   const internal::Surface_arrays& t = *domain.triangles();
   internal::Field planar(t.number_of_triangles());
   for(internal::Index f = 0; f < planar.size(); ++f)
@@ -61,6 +79,62 @@ void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map
   internal::write_vectors(domain, components.gradient, gradient_map);
   internal::write_vectors(domain, components.rotation, rotation_map);
   internal::write_vectors(domain, components.harmonic, harmonic_map);
+}
+
+/// \ingroup PkgGeodesicProcessingTransport
+///
+/// computes the gradient component of a field of tangent vectors on a surfel cloud, and the
+/// remainder. The remainder contains the rotation field and the harmonic field. They cannot be
+/// separated, because the edges of a cloud do not separate two triangles.
+///
+/// The gradient field is the gradient of the function on surfels that is closest to the field on
+/// the weighted triangles of the cloud. The sum of both components is the tangential component of
+/// the field. If the field is smooth, both components converge to those of the surface as the
+/// density increases. If coincident surfels have different vectors, the gradient is that of their
+/// mean. Surfels without triangles have no gradient component.
+///
+/// \tparam SurfelRange a model of the concept `SurfelRange`, or its domain
+/// \tparam Field a model of `ReadablePropertyMap` with surfels as keys and vectors as values
+/// \tparam GradientMap a model of `WritablePropertyMap` with surfels as keys and `Vector_3` as
+///         values
+/// \tparam RemainderMap as `GradientMap`
+/// \param surfels a cloud or a `Surfel_domain`
+/// \param field a readable map of a `Vector_3` for each surfel; the normal component is ignored
+/// \param gradient_map, remainder_map receive a `Vector_3` for each surfel, in its tangent plane
+/// \param np named parameters of `make_domain()`
+/// \throws Invalid_argument_error if a vector is not finite
+///
+/// Takes one factorization.
+template <typename SurfelRange, typename Field, typename GradientMap, typename RemainderMap,
+          typename NamedParameters = internal::Default_parameters,
+          std::enable_if_t<internal::is_named_parameters<NamedParameters>, int> = 0>
+void hodge_decomposition(const SurfelRange& surfels, Field field, GradientMap gradient_map,
+                         RemainderMap remainder_map, const NamedParameters& np = NamedParameters())
+{
+  static_assert(internal::Is_cloud<Surface_of<SurfelRange>>::value,
+                "A mesh has three components: pass maps of the gradient, the rotation and the "
+                "harmonic field.");
+  const auto domain = make_domain(surfels, np);
+  using Vector_3 = typename std::decay_t<decltype(domain)>::Vector_3;
+  std::vector<internal::Vec3> vectors(domain.number_of_vertices());
+  for(internal::Index i = 0; i < vectors.size(); ++i)
+  {
+    const auto vector = get(field, domain.vertex(i));
+    vectors[i] = {to_double(vector.x()), to_double(vector.y()), to_double(vector.z())};
+    for(const double component : vectors[i])
+      if(!std::isfinite(component))
+        throw Invalid_argument_error("A vector of the field is not finite.");
+  }
+  const internal::Surfel_field_components components =
+      internal::gradient_and_remainder(*domain.triangles(), std::move(vectors));
+  const auto write = [&](const std::vector<internal::Vec3>& component, auto map)
+  {
+    domain.write([&](internal::Index i)
+                 { return Vector_3(component[i][0], component[i][1], component[i][2]); },
+                 map);
+  };
+  write(components.gradient, gradient_map);
+  write(components.remainder, remainder_map);
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -150,4 +150,39 @@ TEST(Hodge, throws_on_cloud)
   EXPECT_THROW(Hodge_solver(sphere.arrays, operators(sphere.arrays)), Unsupported_surface_error);
 }
 
+// Two copies of a surfel have the mean of their fields, and a surfel without triangles has none.
+TEST(gradient_and_remainder, represents_coincident_surfels_by_their_mean)
+{
+  Cloud cloud = square_cloud(12);
+  std::vector<Vec3> field(cloud.size(), Vec3{1., 2., 0.});
+  const std::size_t original = 40, copy = cloud.size(), outlier = copy + 1;
+  cloud.add(cloud.points[original], cloud.normals[original]);
+  cloud.add({0., 0., 50.}, {0., 0., 1.});
+  field[original] = {0., 2., 0.};
+  field.push_back({2., 2., 0.});
+  field.push_back({3., 4., 5.});
+  const Surfel_arrays surfels = build_surfel_arrays(cloud.points, cloud.normals);
+  std::vector<Vec3> permuted(field.size());
+  for(std::size_t i = 0; i < field.size(); ++i)
+    permuted[surfels.internal_vertex[i]] = field[i];
+  const Surfel_field_components result = gradient_and_remainder(surfels.arrays, permuted);
+  for(std::size_t i = 0; i < outlier; ++i)
+  {
+    const Vec3 gradient = result.gradient[surfels.internal_vertex[i]],
+               remainder = result.remainder[surfels.internal_vertex[i]];
+    // The mean field is constant, hence the gradient of a linear function.
+    EXPECT_LT(norm(gradient - Vec3{1., 2., 0.}), round_off);
+    EXPECT_LT(norm(gradient + remainder - field[i]), round_off);
+  }
+  EXPECT_EQ(result.gradient[surfels.internal_vertex[outlier]], (Vec3{0., 0., 0.}));
+  EXPECT_EQ(result.remainder[surfels.internal_vertex[outlier]], (Vec3{3., 4., 0.}));
+}
+
+TEST(gradient_and_remainder, throws_on_mesh)
+{
+  const Array_surface surface(tetrahedron());
+  EXPECT_THROW(gradient_and_remainder(surface.t(), std::vector<Vec3>(4)),
+               Unsupported_surface_error);
+}
+
 } // namespace hodge_test

@@ -4,9 +4,11 @@
 
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 #include "core/unfold.h"
 
 #include "Array_surface.h"
+#include "clouds.h"
 
 #include <gtest/gtest.h>
 
@@ -301,6 +303,66 @@ TEST(Curve_embedding, handles_degenerate_triangles_and_close_points)
     EXPECT_NEAR(total_area(*embedding.triangles()), total_area(surface.t()),
                 1e-9); // the scaled surface has a size of order one
   }
+}
+
+// On a cloud, all triangles at an edge are split at a point of the edge, and keep their weights.
+TEST(Curve_embedding, splits_all_triangles_at_edges_of_clouds)
+{
+  const Cloud sphere = ellipsoid_cloud(300, {1., 1., 1.});
+  const auto surfels =
+      std::make_shared<const Surfel_arrays>(build_surfel_arrays(sphere.points, sphere.normals));
+  const std::shared_ptr<const Surface_arrays> coarse(surfels, &surfels->arrays);
+  const auto has_ends = [](const Surface_arrays& t, Index h, Index a, Index b)
+  {
+    const Index from = t.corner[h], to = t.corner[next_halfedge(h)];
+    return (from == a && to == b) || (from == b && to == a);
+  };
+  // A point on an edge with more than two triangles, and a segment inside another triangle.
+  Index edge = 0;
+  const auto number_at_edge = [&](Index h)
+  {
+    std::size_t count = 0;
+    for(Index other = 0; other < coarse->corner.size(); ++other)
+      count += has_ends(*coarse, other, coarse->corner[h], coarse->corner[next_halfedge(h)]);
+    return count;
+  };
+  while(number_at_edge(edge) < 3)
+    ++edge;
+  const Index a = coarse->corner[edge], b = coarse->corner[next_halfedge(edge)];
+  const Surface_location on_edge = {edge / 3, none, barycentric_on_halfedge(edge, 0.3)};
+  const Index far = edge / 3 < 100 ? Index(coarse->number_of_triangles() - 1) : 0;
+  const Curve_embedding embedding(
+      coarse, {{on_edge}, {{far, none, {0.2, 0.3, 0.5}}, {far, none, {0.6, 0.2, 0.2}}}}, {});
+  const Surface_arrays& fine = *embedding.triangles();
+  EXPECT_TRUE(fine.is_cloud());
+  EXPECT_TRUE(fine.twin.empty());
+  EXPECT_EQ(fine.ring.size(), fine.corner.size());
+  EXPECT_EQ(fine.number_of_vertices(), coarse->number_of_vertices() + 3);
+  EXPECT_EQ(embedding.vertices()[1].size(), 2u);
+  EXPECT_EQ(fine.weight.size(), fine.number_of_triangles());
+  for(Index h = 0; h < fine.corner.size(); ++h)
+    EXPECT_FALSE(has_ends(fine, h, a, b));
+  // Both parts of the edge have the same triangles as the edge, and keep its length.
+  const Index vertex = embedding.vertices()[0].front();
+  std::size_t count = 0;
+  for(Index h = 0; h < fine.corner.size(); ++h)
+    if(has_ends(fine, h, a, vertex))
+    {
+      ++count;
+      EXPECT_NEAR(fine.length[h], 0.3 * coarse->length[edge], round_off);
+    }
+  EXPECT_EQ(count, number_at_edge(edge));
+  // Areas times weights, and gradients of functions that are linear in the coarse triangles.
+  const Operators o = operators(*coarse), fine_o = operators(fine);
+  EXPECT_NEAR(std::accumulate(fine_o.area.begin(), fine_o.area.end(), 0.),
+              std::accumulate(o.area.begin(), o.area.end(), 0.), round_off);
+  Vector function(Eigen::Index(coarse->number_of_vertices()));
+  for(Eigen::Index i = 0; i < function.size(); ++i)
+    function[i] = coarse->point[std::size_t(i)][2];
+  const Field expected = gradient(o, function),
+              found = embedding.coarsened(gradient(fine_o, embedding.refined(function)));
+  for(std::size_t f = 0; f < expected.size(); ++f)
+    EXPECT_LT(norm(found[f] - expected[f]), round_off);
 }
 
 } // namespace Curve_embedding_test

@@ -7,32 +7,8 @@
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
-#include <array>
-
 // Conversions between vectors in the planes of unfolded triangles and vectors in space.
 namespace CGAL::Geodesic_processing::internal {
-
-// Computes the two axes of a triangle's plane in space; an axis is zero if the triangle has no
-// length or no height.
-inline std::array<Vec3, 2> axes(const Surface_arrays& t, Index triangle)
-{
-  const Index* corner = &t.corner[3 * std::size_t(triangle)];
-  const Vec3 first = unit(t.point[corner[1]] - t.point[corner[0]]);
-  const Vec3 edge = t.point[corner[2]] - t.point[corner[0]];
-  return {first, unit(edge - dot(edge, first) * first)};
-}
-
-inline Vec3 in_space(const Surface_arrays& t, Index triangle, const Vec2& vector)
-{
-  const auto [u, v] = axes(t, triangle);
-  return vector[0] * u + vector[1] * v;
-}
-
-inline Vec2 in_plane(const Surface_arrays& t, Index triangle, const Vec3& vector)
-{
-  const auto [u, v] = axes(t, triangle);
-  return {dot(vector, u), dot(vector, v)};
-}
 
 // Writes a vector per face of a mesh, or per surfel of a cloud the mean over its triangles.
 template <typename Domain, typename VectorMap>

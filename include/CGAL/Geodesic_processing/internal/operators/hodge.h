@@ -47,6 +47,31 @@ private:
   Poisson_solver m_vertex_solver, m_edge_solver;
 };
 
+// The two components of a field of tangent vectors of surfels, each of #vertices vectors in space.
+// Their sum is the tangential field, up to the round-off error of one subtraction.
+struct Surfel_field_components
+{
+  std::vector<Vec3> gradient;
+  std::vector<Vec3> remainder;
+};
+
+// Computes the gradient component of a field on a cloud, and the remainder. The triangles of a
+// cloud overlap and have no twins, so that the remainder is not decomposed further.
+//
+// The gradient is that of the function of the vertices that is closest to the field on the
+// triangles, by area times weight. The field of a triangle is the mean over its corners, projected
+// to its plane. The gradient of a surfel is the mean over its triangles by area times weight,
+// projected to its tangent plane. Coincident surfels have the mean of their fields, and the same
+// gradient. The gradient is zero at surfels without triangles.
+//
+// field  #vertices vectors in space, finite; the component along the normal is ignored
+//
+// Throws Unsupported_surface_error if the surface is a mesh, whose vertices have no normals. Takes
+// one factorization of the Laplacian.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Surfel_field_components gradient_and_remainder(const Surface_arrays& cloud,
+                                               std::vector<Vec3> field);
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HODGE_H

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/numerics/Sparse_solver.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <array>
 #include <cmath>
@@ -18,6 +19,30 @@ namespace CGAL::Geodesic_processing::internal {
 // corner is the origin, and halfedge 0 points along the first axis. A function has one value for
 // each vertex and is linear in each triangle.
 using Field = std::vector<Vec2>;
+
+// Computes the two axes of a triangle's plane in space. An axis is zero if the triangle has no
+// length or no height.
+inline std::array<Vec3, 2> axes(const Surface_arrays& t, Index triangle)
+{
+  const Index* corner = &t.corner[3 * std::size_t(triangle)];
+  const Vec3 first = unit(t.point[corner[1]] - t.point[corner[0]]);
+  const Vec3 edge = t.point[corner[2]] - t.point[corner[0]];
+  return {first, unit(edge - dot(edge, first) * first)};
+}
+
+// Converts a vector in the plane of a triangle to a vector in space.
+inline Vec3 in_space(const Surface_arrays& t, Index triangle, const Vec2& vector)
+{
+  const auto [u, v] = axes(t, triangle);
+  return vector[0] * u + vector[1] * v;
+}
+
+// Projects a vector in space to the plane of a triangle.
+inline Vec2 in_plane(const Surface_arrays& t, Index triangle, const Vec3& vector)
+{
+  const auto [u, v] = axes(t, triangle);
+  return {dot(vector, u), dot(vector, v)};
+}
 
 // A symmetric tensor in the plane of a triangle: its entries xx, xy, yy.
 using Metric_tensor = std::array<double, 3>;

