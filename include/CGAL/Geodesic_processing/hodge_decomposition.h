@@ -15,19 +15,6 @@
 
 namespace CGAL::Geodesic_processing {
 
-namespace internal {
-
-template <typename T, typename Tag, typename Base>
-std::true_type inherits_from_parameters(const CGAL::Named_function_parameters<T, Tag, Base>*);
-std::false_type inherits_from_parameters(const void*);
-
-// Distinguishes named parameters from property maps.
-template <typename T>
-inline constexpr bool is_named_parameters =
-    decltype(inherits_from_parameters(std::declval<const T*>()))::value;
-
-} // namespace internal
-
 /// \ingroup PkgGeodesicProcessingTransport
 ///
 /// computes the Hodge decomposition of a field of tangent vectors. The components are a gradient
@@ -55,7 +42,7 @@ inline constexpr bool is_named_parameters =
 /// Takes two factorizations.
 template <typename Mesh, typename Field, typename GradientMap, typename RotationMap,
           typename HarmonicMap, typename NamedParameters = internal::Default_parameters,
-          std::enable_if_t<!internal::is_named_parameters<HarmonicMap>, int> = 0>
+          std::enable_if_t<!internal::is_named_parameters<HarmonicMap>, bool> = true>
 void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map,
                          RotationMap rotation_map, HarmonicMap harmonic_map,
                          const NamedParameters& np = NamedParameters())
@@ -107,7 +94,7 @@ void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map
 /// Takes one factorization.
 template <typename SurfelRange, typename Field, typename GradientMap, typename RemainderMap,
           typename NamedParameters = internal::Default_parameters,
-          std::enable_if_t<internal::is_named_parameters<NamedParameters>, int> = 0>
+          std::enable_if_t<internal::is_named_parameters<NamedParameters>, bool> = true>
 void hodge_decomposition(const SurfelRange& surfels, Field field, GradientMap gradient_map,
                          RemainderMap remainder_map, const NamedParameters& np = NamedParameters())
 {
