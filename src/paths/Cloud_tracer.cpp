@@ -12,8 +12,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The length of a step divided by the distance to the sixth nearest surfel.  On a torus of 10,000
-// surfels, the error of the fit exceeds that of longer steps.
+// The length of a step divided by the distance to the sixth nearest surfel.  On a torus, steps of
+// half or twice this length change the mean error by 5 %: the error of the fit dominates.
 constexpr double step_ratio = 0.5;
 // Seven coincident surfels have the distance zero.  The extent of the cloud is about one.
 constexpr double min_step = 1e-6;

@@ -30,8 +30,10 @@ constexpr int number_of_collocation_iterations = 2;
 // fraction of the step.  On smooth surfaces the displacement is of order h^5.
 constexpr double tangential_displacement_ratio = 0.1;
 
-// The lengths of steps over a hole, relative to the step that ends in the hole.
-constexpr double hole_step_ratios[] = {1., 1.5, 2.};
+// The lengths of steps over a hole, relative to the maximum length of a step.  On random samples of
+// a sphere, 10 % of the paths of length 30 end in front of a hole with ratios up to 2, and 1 % with
+// ratios up to 4.  The walk to the nearest surfel excludes gaps that no edge of the graph crosses.
+constexpr double hole_step_ratios[] = {0.5, 1., 1.5, 2., 2.5, 3., 4.};
 
 constexpr int number_of_bisections = 30, max_length_corrections = 4;
 
@@ -279,7 +281,7 @@ Traced_curve trace_on_surface(const Path_surface& surface,
     if(step.is_on_surface && step_length == remaining)
       step = corrected_step(tracer, state, remaining, step);
     if(!step.is_on_surface)
-      step = step_over_hole(tracer, state, step_length, remaining);
+      step = step_over_hole(tracer, state, max_step(state.at.vertex), remaining);
     if(!step.is_on_surface)
     {
       curve.is_cut_by_boundary = true;

@@ -170,8 +170,8 @@ TEST(trace_on_surface, crosses_small_holes_only)
   };
   EXPECT_FALSE(curve(0.05).is_cut_by_boundary);
   EXPECT_NEAR(curve(0.05).points.back().point[0], 1.07, round_off);
-  EXPECT_TRUE(curve(0.25).is_cut_by_boundary);
-  EXPECT_NEAR(curve(0.25).length, 0.93 - 0.125, 1e-9); // bisection
+  EXPECT_TRUE(curve(0.5).is_cut_by_boundary);
+  EXPECT_NEAR(curve(0.5).length, 0.93 - 0.25, 1e-9); // bisection
 }
 
 TEST(trace_on_surface, unfolds_sharp_edges)

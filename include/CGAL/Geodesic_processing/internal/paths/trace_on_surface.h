@@ -32,8 +32,9 @@ struct Traced_curve
 // are unfolded at their line of intersection.
 //
 // The curve ends at the boundary: where projections have a conormal, are displaced tangentially, or
-// are not covered.  Holes narrower than twice a step are crossed, because the fitted surface of a
-// random cloud has such holes.  The position of the boundary is found by bisection.
+// are not covered.  The position of the boundary is found by bisection.  Holes narrower than about
+// four steps are crossed, because the surface that is fitted to a random cloud has such holes.  A
+// curve that would end in a hole ends in front of it and counts as cut.
 //
 // max_step   returns the maximum length of a step near a vertex; positive
 // from       on the surface
