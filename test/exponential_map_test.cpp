@@ -87,16 +87,16 @@ TEST(exponential_map, inverts_logarithmic_map_on_cloud)
     GP::Logarithmic_map<Point_set> map(domain);
     map.compute(base, np.maximum_distance(1.5));
     double sum = 0.;
-    for(const Point_set::Index reached : map.reached())
+    for(const Point_set::Index& reached : map.reached())
     {
       const double error =
           norm(position(domain, map.exponential(map(reached))) - cloud.points[reached]);
-      // The logarithmic map on the cloud has errors of up to 2 % of the distance.  The tangent
+      // The logarithmic map on the cloud has errors of up to 0.9 % of the distance.  The tangent
       // planes are up to 0.002 above the sphere.
-      EXPECT_LT(error, 0.02 * std::hypot(map(reached)[0], map(reached)[1]) + 0.002);
+      EXPECT_LT(error, 0.01 * std::hypot(map(reached)[0], map(reached)[1]) + 0.002);
       sum += error;
     }
-    EXPECT_LT(sum / double(map.reached().size()), 0.01);
+    EXPECT_LT(sum / double(map.reached().size()), 0.005); // measured: 0.0035
     // The function and the class give the same result.
     const std::array<double, 2> vector = {0.3, -0.7};
     const auto expected = map.exponential(vector);

@@ -186,7 +186,7 @@ TEST(Straightest_geodesic, is_same_for_all_kinds_of_clouds)
   const Cloud cloud = torus_cloud(2500, 0.4);
   const Point_set points = point_set_of(cloud);
   std::vector<std::pair<Point_3, Vector_3>> range;
-  for(const auto index : points)
+  for(const auto& index : points)
     range.emplace_back(points.point(index), points.normal(index));
   using Pair = std::pair<Point_3, Vector_3>;
   const auto maps = parameters::point_map(CGAL::First_of_pair_property_map<Pair>())

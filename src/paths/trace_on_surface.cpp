@@ -26,13 +26,18 @@ constexpr double opposite_normal_cosine = -0.5;
 // error of order h^3.
 constexpr int number_of_collocation_iterations = 2;
 
-// A projection is off the surface if it displaces a point along the tangent plane by more than this
-// fraction of the step.  On smooth surfaces the displacement is of order h^5.
+// A point of the collocation is off the surface if its projection displaces it along the tangent
+// plane by more than this fraction of the step.  On smooth surfaces the displacement is of order
+// h^5.
 constexpr double tangential_displacement_ratio = 0.1;
+// The same for steps over holes and bad fits.  At the boundary the ratio is one, unless the path is
+// nearly parallel to it.
+constexpr double max_displacement_ratio = 0.5;
 
-// The lengths of steps over a hole, relative to the maximum length of a step.  On random samples of
-// a sphere, 10 % of the paths of length 30 end in front of a hole with ratios up to 2, and 1 % with
-// ratios up to 4.  The walk to the nearest surfel excludes gaps that no edge of the graph crosses.
+// The lengths of steps over a hole or a bad fit, relative to the maximum length of a step.  On
+// random samples of a sphere, 10 % of the paths of length 30 end in front of a hole with ratios up
+// to 2, and 1 % with ratios up to 4.  The walk to the nearest surfel excludes gaps that no edge of
+// the graph crosses.
 constexpr double hole_step_ratios[] = {0.5, 1., 1.5, 2., 2.5, 3., 4.};
 
 constexpr int number_of_bisections = 30, max_length_corrections = 4;
@@ -96,7 +101,7 @@ public:
     }
   }
 
-  // Advances over a hole, by the trapezoidal rule, because a point in the middle can be missing.
+  // Advances over a hole or a bad fit, by the trapezoidal rule.  It needs no point in the middle.
   Curve_step cross_hole(const Curve_state& from, double length) const
   {
     Vec3 query = from.at.point + length * from.tangent;
@@ -104,7 +109,7 @@ public:
     for(int i = 0;; ++i)
     {
       step.end.at = project(from, query, from.at.vertex);
-      if(!(dot(from.at.normal, step.end.at.normal) > sharp_step_cosine))
+      if(!(dot(from.at.normal, step.end.at.normal) > 0.))
         return step;
       step.end.tangent = parallel_transport(from.tangent, from.at.normal, step.end.at.normal,
                                             from.at.normal + step.end.at.normal);
@@ -113,7 +118,8 @@ public:
       query = from.at.point + 0.5 * length * (from.tangent + step.end.tangent);
     }
     step.length = arc_length(from.at, step.end.at);
-    step.is_on_surface = is_on_surface(query, step.end.at, length) && has_progress(step, length);
+    step.is_on_surface = is_on_surface(query, step.end.at, max_displacement_ratio * length) &&
+                         has_progress(step, length);
     return step;
   }
 
@@ -132,11 +138,11 @@ private:
     return projection.conormal == Vec3{0., 0., 0.} &&
            m_surface.clamped_to_coverage(projection.point, projection.vertex) == projection.point;
   }
-  bool is_on_surface(const Vec3& query, const Projection& projection, double length) const
+  bool is_on_surface(const Vec3& query, const Projection& projection, double max_displacement) const
   {
     const Vec3 offset = query - projection.point;
     const Vec3 displacement = offset - dot(offset, projection.normal) * projection.normal;
-    return norm(displacement) <= tangential_displacement_ratio * length && is_covered(projection);
+    return norm(displacement) <= max_displacement && is_covered(projection);
   }
   // Returns false if the step does not advance, or if it is not finite.
   static bool has_progress(const Curve_step& step, double length)
@@ -168,8 +174,10 @@ private:
     Curve_step step;
     step.end = {end, end_tangent};
     step.length = arc_length(from.at, middle) + arc_length(middle, end);
-    step.is_on_surface = is_on_surface(middle_query, middle, length) &&
-                         is_on_surface(end_query, end, length) && has_progress(step, length);
+    const double max_displacement = tangential_displacement_ratio * length;
+    step.is_on_surface = is_on_surface(middle_query, middle, max_displacement) &&
+                         is_on_surface(end_query, end, max_displacement) &&
+                         has_progress(step, length);
     return step;
   }
 
@@ -200,32 +208,38 @@ private:
   const Path_surface& m_surface;
 };
 
-// Returns the step with a length of the smooth curve closest to `length`.
-Curve_step corrected_step(const Curve_tracer& tracer, const Curve_state& from, double length,
-                          Curve_step step)
+// Changes the parameter of a step such that the length of the smooth curve is closest to `length`.
+// step_of(parameter) returns a step.
+template <typename Step_of>
+void correct_length(const Step_of& step_of, double parameter, double length, Curve_step& step)
 {
-  double parameter = length;
   for(int i = 0; i < max_length_corrections && step.length != length; ++i)
   {
     parameter += length - step.length;
-    double reduced_parameter = parameter;
-    const Curve_step next = tracer.advance(from, reduced_parameter);
-    if(reduced_parameter != parameter || !next.is_on_surface ||
-       !(std::abs(next.length - length) < std::abs(step.length - length)))
+    if(!(parameter > 0.))
+      break;
+    const Curve_step next = step_of(parameter);
+    if(!next.is_on_surface || !(std::abs(next.length - length) < std::abs(step.length - length)))
       break;
     step = next;
   }
-  return step;
 }
 
-// Returns a step over a hole of the surface; it is not on the surface if the hole is too wide.
+// Returns a step over a hole of the surface or a bad fit; it is not on the surface if there is none.
 Curve_step step_over_hole(const Curve_tracer& tracer, const Curve_state& from, double length,
                           double max_length)
 {
   Curve_step step;
   for(const double ratio : hole_step_ratios)
-    if(!step.is_on_surface && ratio * length <= max_length)
-      step = tracer.cross_hole(from, ratio * length);
+  {
+    const double parameter = std::fmin(ratio * length, max_length);
+    step = tracer.cross_hole(from, parameter);
+    if(step.is_on_surface && step.length > max_length)
+      correct_length([&](double p) { return tracer.cross_hole(from, p); }, parameter, max_length,
+                     step);
+    if(step.is_on_surface || parameter == max_length)
+      break;
+  }
   return step;
 }
 
@@ -279,7 +293,8 @@ Traced_curve trace_on_surface(const Path_surface& surface,
     double step_length = remaining / std::ceil(remaining / max_step(state.at.vertex));
     Curve_step step = tracer.advance(state, step_length);
     if(step.is_on_surface && step_length == remaining)
-      step = corrected_step(tracer, state, remaining, step);
+      correct_length([&](double parameter) { return tracer.advance(state, parameter); }, remaining,
+                     remaining, step);
     if(!step.is_on_surface)
       step = step_over_hole(tracer, state, max_step(state.at.vertex), remaining);
     if(!step.is_on_surface)
