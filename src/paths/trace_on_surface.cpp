@@ -225,7 +225,8 @@ void correct_length(const Step_of& step_of, double parameter, double length, Cur
   }
 }
 
-// Returns a step over a hole of the surface or a bad fit; it is not on the surface if there is none.
+// Returns a step over a hole of the surface or a bad fit.  If there is none, the result is not on
+// the surface.
 Curve_step step_over_hole(const Curve_tracer& tracer, const Curve_state& from, double length,
                           double max_length)
 {

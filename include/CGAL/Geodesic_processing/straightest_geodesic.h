@@ -97,8 +97,8 @@ Straightest_geodesic<typename Domain::Surface> outer_path(const Domain& domain,
 /// \returns the path; its `length` is smaller than the requested length only if it ends at the
 ///          boundary.  On a cloud, `length` is that of the smooth curve through the points; if the
 ///          path is not cut, it agrees with the requested length to about nine digits
-/// \throws Invalid_argument_error if the direction is normal to the plane, the length is invalid, or
-///         the surfel is not in the cloud
+/// \throws Invalid_argument_error if the direction is normal to the plane, the length is invalid,
+///         or the surfel is not in the cloud
 ///
 /// After `make_domain()`, O(number of crossed faces) time on a mesh.  On a cloud of n surfels,
 /// O(n log n) time for the fit, and O(1) time for each half of the distance between surfels.  For

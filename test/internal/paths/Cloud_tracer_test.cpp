@@ -44,7 +44,7 @@ Cloud random_sphere(std::size_t n)
 
 TEST(Cloud_tracer, follows_great_circles)
 {
-  // The algebraic sphere reproduces a sphere, and the step a great circle.  So only round-off errors
+  // The fit reproduces a sphere, and a step reproduces a great circle.  So only round-off errors
   // remain at any density.
   for(const Cloud& cloud : {octahedron_sphere(2), octahedron_sphere(4), random_sphere(4000)})
   {
@@ -87,7 +87,7 @@ double error_on_torus(std::size_t n)
 TEST(Cloud_tracer, converges_to_geodesics_of_torus)
 {
   const double coarse = error_on_torus(2500), fine = error_on_torus(10000);
-  // Half of the spacing divides the error by about four.  Geodesics diverge on the inner side, which
+  // Half of the spacing divides the error by about four.  Geodesics diverge on the inside, which
   // amplifies the error of the fit.
   EXPECT_LT(fine, 0.5 * coarse);
   EXPECT_LT(fine, 3e-4); // measured: 1.5e-4
