@@ -1,14 +1,17 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Point_set_3.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Geodesic_processing/exponential_map.h>
 
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 
 #include "Mesh_of.h"
+#include "clouds.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace exponential_map_test {
@@ -53,6 +56,82 @@ TEST(exponential_map, ends_at_boundary)
   const auto p = CGAL::Polygon_mesh_processing::construct_point(image, mesh);
   EXPECT_NEAR(p.x(), mesh.point(Vertex(6)).x(), 1e-12);
   EXPECT_NEAR(p.y(), 1., 1e-12);
+}
+
+using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
+
+// Returns the position of a location in space.
+GP::internal::Vec3 position(const GP::Surfel_domain<Point_set>& domain,
+                            const GP::Location<Point_set>& location)
+{
+  using namespace GP::internal;
+  const Surface_arrays& t = *domain.triangles();
+  const Index vertex = domain.index(location.surfel);
+  const auto [u, v] = tangent_frame(t.normal[vertex]);
+  return t.origin + t.scale * t.point[vertex] + location.offset[0] * u + location.offset[1] * v;
+}
+
+TEST(exponential_map, inverts_logarithmic_map_on_cloud)
+{
+  const Cloud cloud = octahedron_sphere(5); // 4,098 surfels
+  Point_set points(true);
+  for(const auto& p : cloud.points)
+    points.insert({p[0], p[1], p[2]}, {p[0], p[1], p[2]});
+  const auto domain = GP::make_domain(points);
+  using GP::internal::norm;
+  using GP::internal::operator-;
+  // A surfel, and a location next to it; the axes are given or not.
+  const Point_set::Index surfel(100);
+  const auto check = [&](const auto& base, const auto& np)
+  {
+    GP::Logarithmic_map<Point_set> map(domain);
+    map.compute(base, np.maximum_distance(1.5));
+    double sum = 0.;
+    for(const Point_set::Index& reached : map.reached())
+    {
+      const double error =
+          norm(position(domain, map.exponential(map(reached))) - cloud.points[reached]);
+      // The logarithmic map on the cloud has errors of up to 0.9 % of the distance.  The tangent
+      // planes are up to 0.002 above the sphere.
+      EXPECT_LT(error, 0.01 * std::hypot(map(reached)[0], map(reached)[1]) + 0.002);
+      sum += error;
+    }
+    EXPECT_LT(sum / double(map.reached().size()), 0.005); // measured: 0.0035
+    // The function and the class give the same result.
+    const std::array<double, 2> vector = {0.3, -0.7};
+    const auto expected = map.exponential(vector);
+    const auto image = GP::exponential_map(points, base, vector, np);
+    EXPECT_EQ(image.surfel, expected.surfel);
+    EXPECT_EQ(image.offset, expected.offset);
+  };
+  check(surfel, GP::parameters::up_direction(Vector_3(0.2, 1., 0.3)));
+  check(surfel, GP::parameters::number_of_threads(1));
+  check(GP::Location<Point_set>{surfel, {0.02, 0.01}},
+        GP::parameters::up_direction(Vector_3(0.2, 1., 0.3)));
+}
+
+TEST(exponential_map, follows_axes_on_cloud)
+{
+  const Cloud cloud = octahedron_sphere(4);
+  Point_set points(true);
+  for(const auto& p : cloud.points)
+    points.insert({p[0], p[1], p[2]}, {p[0], p[1], p[2]});
+  const auto domain = GP::make_domain(points);
+  // The second axis at (1, 0, 0) points to (0, 0, 1), and the first one to (0, 1, 0).
+  const auto end = [&](double x, double y)
+  {
+    return position(domain,
+                    GP::exponential_map(domain, Point_set::Index(0), {x, y},
+                                        GP::parameters::up_direction(Vector_3(1., 0., 2.))));
+  };
+  using GP::internal::norm;
+  using GP::internal::operator-;
+  // The endpoints are surfels, where the tangent plane touches the sphere.
+  EXPECT_LT(norm(end(CGAL_PI / 2., 0.) - GP::internal::Vec3{0., 1., 0.}), 1e-12);
+  EXPECT_LT(norm(end(0., CGAL_PI / 2.) - GP::internal::Vec3{0., 0., 1.}), 1e-12);
+  EXPECT_LT(norm(end(0., -CGAL_PI / 2.) - GP::internal::Vec3{0., 0., -1.}), 1e-12);
+  EXPECT_LT(norm(end(0., 0.) - GP::internal::Vec3{1., 0., 0.}), 1e-12);
+  EXPECT_THROW(end(std::nan(""), 0.), GP::Invalid_argument_error);
 }
 
 TEST(exponential_map, throws_on_invalid_input)

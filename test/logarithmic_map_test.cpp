@@ -13,7 +13,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <thread>
 #include <type_traits>
+#include <vector>
 
 namespace logarithmic_map_test {
 
@@ -267,6 +270,28 @@ TEST(logarithmic_map, supports_clouds_and_polyhedra)
   GP::Logarithmic_map<CGAL::Polyhedron_3<Kernel>> on_polyhedron(polyhedron);
   on_polyhedron.compute(*vertices(polyhedron).begin());
   EXPECT_EQ(on_polyhedron.reached().size(), num_vertices(polyhedron));
+}
+
+TEST(logarithmic_map, copies_share_fitted_surface_of_cloud)
+{
+  const Surfels surfels = sphere_surfels(4);
+  GP::Logarithmic_map<Surfels> map(
+      surfels, GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
+  map.compute(std::size_t(0), GP::parameters::maximum_distance(0.1));
+  // The copies fit the surface concurrently at their first call.
+  std::vector<GP::Logarithmic_map<Surfels>> copies(4, map);
+  std::vector<GP::Logarithmic_map<Surfels>::Location> images(copies.size());
+  std::vector<std::thread> threads;
+  for(std::size_t i = 0; i < copies.size(); ++i)
+    threads.emplace_back([&, i] { images[i] = copies[i].exponential({0.4, 0.9}); });
+  for(std::thread& thread : threads)
+    thread.join();
+  const auto expected = map.exponential({0.4, 0.9});
+  for(const auto& image : images)
+  {
+    EXPECT_EQ(image.surfel, expected.surfel);
+    EXPECT_EQ(image.offset, expected.offset);
+  }
 }
 
 TEST(logarithmic_map, throws_on_invalid_input)

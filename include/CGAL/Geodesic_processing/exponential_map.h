@@ -5,8 +5,10 @@
 
 #include <CGAL/Geodesic_processing/internal/adaptors/oriented_tangent_plane.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/parameters.h>
 
 #include <array>
+#include <type_traits>
 
 namespace CGAL::Geodesic_processing {
 
@@ -19,28 +21,33 @@ namespace CGAL::Geodesic_processing {
 /// Beyond the injectivity radius, the geodesic continues straight, although it is not necessarily a
 /// shortest path.  If it reaches the boundary, the point on the boundary is returned.
 ///
-/// \tparam Mesh a model of `FaceListGraph`, or its domain
-/// \tparam Place a vertex or a `Location<Mesh>`
-/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; clouds are not supported
-/// \param base a vertex or a location
+/// On a cloud, the geodesic is traced on a surface that is fitted to the surfels, see
+/// `straightest_geodesic()`.  For many vectors, `Logarithmic_map::exponential()` is faster, because
+/// it fits the surface only once.
+///
+/// \tparam Surface a model of `FaceListGraph`, a model of `SurfelRange`, or its domain
+/// \tparam Place a vertex, a surfel or a `Location<Surface>`
+/// \param surface a mesh, a cloud or a domain
+/// \param base a vertex, a surfel or a location
 /// \param vector a vector in the tangent plane of `base`
 /// \param np `up_direction` as for `Logarithmic_map::compute()`, and the named parameters of
 ///        `make_domain()`
-/// \returns a location
-/// \throws Invalid_argument_error if the base is an isolated vertex, the vector is not finite, or
-///         `up_direction` is normal to the surface
+/// \returns a location; on a cloud, the projection of the endpoint to the tangent plane of the
+///          nearest surfel
+/// \throws Invalid_argument_error if the base is an isolated vertex or not in the cloud, the vector
+///         is not finite, or `up_direction` is normal to the surface
 ///
-/// O(number of crossed faces) time after `make_domain()`.  \cgalCite{cgal:ps-sgps-98}
-template <typename Mesh, typename Place, typename NamedParameters = internal::Default_parameters>
-Location<Surface_of<Mesh>> exponential_map(const Mesh& mesh, const Place& base,
-                                           const std::array<double, 2>& vector,
-                                           const NamedParameters& np = NamedParameters())
+/// After `make_domain()`, O(number of crossed faces) time on a mesh, \cgalCite{cgal:ps-sgps-98} and
+/// O(n log n) time for the fit on a cloud of n surfels.
+template <typename Surface, typename Place, typename NamedParameters = internal::Default_parameters>
+Location<Surface_of<Surface>> exponential_map(const Surface& surface, const Place& base,
+                                              const std::array<double, 2>& vector,
+                                              const NamedParameters& np = NamedParameters())
 {
-  const auto domain = make_domain(mesh, np);
-  static_assert(
-      !internal::Is_cloud<Surface_of<Mesh>>::value,
-      "An exponential map needs a mesh, because the triangles of a cloud are not connected.");
-  return internal::exponential(domain, internal::oriented_tangent_plane(domain, base, np), vector);
+  const auto domain = make_domain(surface, np);
+  const internal::Exponential_tracer<std::decay_t<decltype(domain)>> exponential(
+      internal::parameter(np, internal_np::number_of_threads, 1u));
+  return exponential(domain, internal::oriented_tangent_plane(domain, base, np), vector);
 }
 
 } // namespace CGAL::Geodesic_processing

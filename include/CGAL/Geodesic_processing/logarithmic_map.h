@@ -108,7 +108,10 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Logarithmic_map(const Surface& surface, const NamedParameters& np = NamedParameters())
       : Logarithmic_map(Domain(surface, np))
-  {}
+  {
+    m_exponential = internal::Exponential_tracer<Domain>(
+        internal::parameter(np, internal_np::number_of_threads, 1u));
+  }
   /// Uses an existing domain, which is shared.
   explicit Logarithmic_map(const Domain& domain)
       : Logarithmic_map(domain, internal::Log_tag<Method>::kind)
@@ -213,11 +216,15 @@ public:
   }
 
   /// Returns the exponential map of a tangent vector: the endpoint of the straightest geodesic in
-  /// its direction.  If the geodesic meets the boundary, it ends there.  It requires a mesh.
+  /// its direction.  If the geodesic meets the boundary, it ends there.
+  ///
+  /// On a cloud, the geodesic is traced on a surface that is fitted to the surfels, see
+  /// `straightest_geodesic()`.  The first call fits the surface, in O(n log n) time.  Later calls
+  /// and calls of copies reuse it, and different copies can be used concurrently.
   /// \throws Invalid_argument_error if the vector is not finite
   Location exponential(const Vector& vector) const
   {
-    return internal::exponential(m_domain, *m_plane, vector);
+    return m_exponential(m_domain, *m_plane, vector);
   }
   /// @}
 
@@ -240,6 +247,7 @@ private:
   std::vector<internal::Index> m_reached;
   internal::Log_map_defects m_defects;
   std::optional<internal::Oriented_tangent_plane> m_plane;
+  internal::Exponential_tracer<Domain> m_exponential{};
 };
 
 template <typename Surface, typename Method>

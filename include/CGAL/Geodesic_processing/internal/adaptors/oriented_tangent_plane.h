@@ -4,7 +4,9 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_ORIENTED_TANGENT_PLANE_H
 
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/trace_on_cloud.h>
 #include <CGAL/Geodesic_processing/internal/log_map/tangent_plane.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
@@ -13,6 +15,9 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <mutex>
+#include <optional>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -40,16 +45,65 @@ Oriented_tangent_plane oriented_tangent_plane(const Domain& domain, const Vertex
   return result;
 }
 
-template <typename Domain>
-typename Domain::Location exponential(const Domain& domain, const Oriented_tangent_plane& at,
-                                      const std::array<double, 2>& vector)
+// Computes the exponential map.  On a mesh, it traces straightest geodesics on the triangles.
+template <typename Domain, bool is_cloud = Is_cloud<typename Domain::Surface>::value>
+class Exponential_tracer
 {
-  static_assert(!Is_cloud<typename Domain::Surface>::value,
-                "The exponential map requires a mesh: it traces straightest geodesics.");
-  const double angle = std::atan2(vector[1], vector[0]) - at.rotation;
-  const double length = std::hypot(vector[0], vector[1]) / domain.triangles()->scale;
-  return domain.outer(at.plane.straightest_path(angle, length).locations.back());
-}
+public:
+  explicit Exponential_tracer(unsigned = 1) {}
+
+  // Returns the endpoint of the geodesic with a tangent vector, in the caller's unit.  Throws
+  // Invalid_argument_error if the vector is not finite.
+  typename Domain::Location operator()(const Domain& domain, const Oriented_tangent_plane& at,
+                                       const std::array<double, 2>& vector) const
+  {
+    const double angle = std::atan2(vector[1], vector[0]) - at.rotation;
+    const double length = std::hypot(vector[0], vector[1]) / domain.triangles()->scale;
+    return domain.outer(at.plane.straightest_path(angle, length).locations.back());
+  }
+};
+
+// On a cloud, it traces geodesics on the fitted surface.  The surface is fitted at the first call;
+// copies share it and can be used concurrently.
+template <typename Domain>
+class Exponential_tracer<Domain, true>
+{
+public:
+  explicit Exponential_tracer(unsigned number_of_threads = 1)
+      : m_shared(std::make_shared<Shared>()), m_number_of_threads(number_of_threads)
+  {}
+
+  typename Domain::Location operator()(const Domain& domain, const Oriented_tangent_plane& at,
+                                       const std::array<double, 2>& vector) const
+  {
+    const double length = std::hypot(vector[0], vector[1]);
+    if(!std::isfinite(length))
+      throw Invalid_argument_error("A tangent vector is not finite.");
+    const double angle = std::atan2(vector[1], vector[0]) - at.rotation;
+    const Traced_path path =
+        tracer(domain)(traced_location(domain, domain.outer(at.plane.location())),
+                       at.plane.direction(angle), length);
+    return outer_location(domain, path.locations.back());
+  }
+
+private:
+  struct Shared
+  {
+    std::mutex mutex;
+    std::optional<Cloud_tracer> tracer;
+  };
+
+  const Cloud_tracer& tracer(const Domain& domain) const
+  {
+    const std::lock_guard lock(m_shared->mutex);
+    if(!m_shared->tracer)
+      m_shared->tracer = make_cloud_tracer(domain, m_number_of_threads);
+    return *m_shared->tracer;
+  }
+
+  std::shared_ptr<Shared> m_shared;
+  unsigned m_number_of_threads;
+};
 
 } // namespace CGAL::Geodesic_processing::internal
 
