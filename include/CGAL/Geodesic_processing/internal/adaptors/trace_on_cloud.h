@@ -4,35 +4,23 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_TRACE_ON_CLOUD_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
 #include <CGAL/Geodesic_processing/internal/paths/Cloud_tracer.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
 #include <cmath>
-#include <cstddef>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Fits a surface to the surfels of a domain, with the radii of the domain.  O(n log n).
+// Fits a surface to the surfels of a domain.  O(n log n).
 template <typename Domain>
 Cloud_tracer make_cloud_tracer(const Domain& domain, unsigned number_of_threads)
 {
-  const Surfel_arrays& surfels = domain.surfels();
-  const Surface_arrays& t = surfels.arrays;
-  const std::size_t n = surfels.internal_vertex.size();
-  std::vector<Vec3> points(n), normals(n);
-  std::vector<double> radii(n);
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    const Index vertex = surfels.internal_vertex[i];
-    points[i] = t.origin + t.scale * t.point[vertex];
-    normals[i] = t.normal[vertex];
-    radii[i] = t.scale * surfels.radius[vertex];
-  }
-  return Cloud_tracer(std::move(points), std::move(normals), radii, number_of_threads);
+  Surfel_input surfels = domain.surfel_input();
+  return Cloud_tracer(std::move(surfels.points), std::move(surfels.normals), surfels.radii,
+                      number_of_threads);
 }
 
 // Converts a surfel or a location of the caller to a location of a tracer.  Throws
