@@ -126,18 +126,19 @@ public:
   }
 
 private:
+  using Finder =
+      std::conditional_t<is_cloud, Surfel_path_finder<Surface>, internal::Shortest_path_finder>;
   template <typename NamedParameters>
-  static auto finder(const Domain& domain, [[maybe_unused]] const NamedParameters& np)
+  static Finder finder(const Domain& domain, [[maybe_unused]] const NamedParameters& np)
   {
     if constexpr(is_cloud)
-      return Surfel_path_finder<Surface>(domain, np);
+      return Finder(domain, np);
     else
-      return internal::Shortest_path_finder(domain.triangles());
+      return Finder(domain.triangles());
   }
 
   Domain m_domain;
-  std::conditional_t<is_cloud, Surfel_path_finder<Surface>, internal::Shortest_path_finder>
-      m_finder;
+  Finder m_finder;
 };
 
 } // namespace CGAL::Geodesic_processing
