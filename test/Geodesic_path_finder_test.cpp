@@ -83,8 +83,8 @@ TEST(Geodesic_path_finder, finds_equally_short_paths_with_landmarks)
   }
 }
 
-// A tube of isosceles triangles is flat: ring j is shifted by j / 2 sides. The long way around stays
-// the long way.
+// A tube of isosceles triangles is flat: ring j is shifted by j / 2 sides. The long way around
+// stays the long way.
 TEST(Geodesic_path_finder, shortens_polylines_in_their_homotopy_class)
 {
   Numbered<Surface_mesh> mesh;

@@ -122,8 +122,8 @@ TEST(Region_transport_solver, works_on_clouds)
   EXPECT_NEAR(solver.compute(Index(500)).value, exact, 0.015 * exact); // as between two surfels
 }
 
-// Mass that arrives between surfels is distributed to the corners of a triangle, which preserves its
-// center.
+// Mass that arrives between surfels is distributed to the corners of a triangle, which preserves
+// its center.
 TEST(Region_transport_solver, accepts_locations_between_surfels)
 {
   const Surfels surfels = sphere_surfels(3);

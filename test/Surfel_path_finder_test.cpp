@@ -176,8 +176,8 @@ std::vector<GP::internal::Vec3> coordinates(const Point_set& points)
   return result;
 }
 
-// Returns a scan with normals, which are estimated if the file has none. Returns an empty set if the
-// file is missing.
+// Returns a scan with normals, which are estimated if the file has none. Returns an empty set if
+// the file is missing.
 Point_set scan(const std::string& name)
 {
   Point_set points;

@@ -195,8 +195,8 @@ TEST(distortion, distortion_of_cloud_follows_closed_form)
         GP::flattening_distortion(GP::make_domain(sphere, maps), CGAL::make_property_map(uv));
     EXPECT_EQ(whole.number_of_triangles, found.number_of_triangles);
     EXPECT_EQ(whole.number_of_flips, 0u);
-    // The mean of (sigma - 1)^2 / sigma is that of sigma - 2 + 1 / sigma, and the mean of the cosine
-    // is 3 / 4.
+    // The mean of (sigma - 1)^2 / sigma is that of sigma - 2 + 1 / sigma, and the mean of the
+    // cosine is 3 / 4.
     EXPECT_NEAR(whole.conformal, std::sqrt(2. * std::log(2.) - 2. + 0.75), edge);
   }
 }

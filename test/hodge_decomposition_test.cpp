@@ -222,9 +222,9 @@ Vec3 around_axis(const Vec3& p, const Vec3&)
 }
 Vec3 around_tube(const Vec3& p, const Vec3& n) { return GP::internal::cross(n, around_axis(p, n)); }
 
-// The gradient of a surfel is a mean over triangles, with an error of first order on random surfels.
-// The limits are 1.3 times the errors measured with 1,000 surfels. With 4,000 surfels, edges are
-// half as long. The factors of the steps allow for a rate below one.
+// The gradient of a surfel is a mean over triangles, with an error of first order on random
+// surfels. The limits are 1.3 times the errors measured with 1,000 surfels. With 4,000 surfels,
+// edges are half as long. The factors of the steps allow for a rate below one.
 TEST(hodge_decomposition, separates_gradients_on_clouds)
 {
   struct Case

@@ -6,8 +6,8 @@
 #
 # COMPILER  the compiler
 # OPTIONS   its options, separated by semicolons
-# CALLS     meshes, clouds: the calls that is_supported_v admits; functions: one call of each function
-#           that rejects meshes or clouds; arguments: the calls of rejected_calls.cpp
+# CALLS     meshes, clouds: the calls that is_supported_v admits; functions: one call of each
+#           function that rejects meshes or clouds; arguments: the calls of rejected_calls.cpp
 set(folder ${CMAKE_CURRENT_LIST_DIR})
 function(compile file)
   execute_process(COMMAND ${COMPILER} -std=c++17 -fsyntax-only ${OPTIONS} ${ARGN} ${folder}/${file}

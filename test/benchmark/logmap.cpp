@@ -33,7 +33,8 @@ constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
 
 constexpr double half_pi = CGAL_PI / 2.;
 
-// ------------------------------------------------------------------------------------------ spheres
+// ------------------------------------------------------------------------------------------
+// spheres
 
 // Returns random points on the unit sphere, triangulated by their convex hull (their Delaunay
 // triangulation on the sphere).
@@ -411,7 +412,8 @@ void compare_with_cgal(const std::string& name, const Mesh& mesh)
       format_significant(*std::max_element(errors.begin(), errors.end())).c_str());
 }
 
-// ------------------------------------------------------------------------------------------- theory
+// -------------------------------------------------------------------------------------------
+// theory
 
 // A stencil length that does not shrink with the edges. With the default stencil, the errors of
 // neighbors differ by the same fraction of an edge on finer meshes.
@@ -574,7 +576,8 @@ void compare_on_cylinder()
   table.print();
 }
 
-// -------------------------------------------------------------------------------------------- noise
+// --------------------------------------------------------------------------------------------
+// noise
 
 // Root mean squares of angles in degrees: against the exact map of the same mesh, and against the
 // noise-free sphere after the best rotation.

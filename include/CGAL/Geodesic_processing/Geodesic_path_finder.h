@@ -38,8 +38,8 @@ Surface_path<typename Domain::Surface> surface_path(const Domain& domain, const 
 /// windows of `Exact` that may belong to a shorter path are propagated, from one end towards the
 /// other.  The cost of a query is that of the visited faces.
 ///
-/// On a cloud, paths are those of `Surfel_path_finder`, which minimizes an energy.  `initial_path` of
-/// a result is the graph path from which the minimization starts.
+/// On a cloud, paths are those of `Surfel_path_finder`, which minimizes an energy.  `initial_path`
+/// of a result is the graph path from which the minimization starts.
 ///
 /// Copies share the domain, and different copies can be used concurrently.
 ///
@@ -96,8 +96,8 @@ public:
   }
   /// Returns a locally shortest path; empty if the ends are not connected.
   ///
-  /// On scans that are meshes, it takes a few milliseconds at most, and the path is on average a few
-  /// hundredths of a percent longer than the shortest path.  On other meshes it can be a third
+  /// On scans that are meshes, it takes a few milliseconds at most, and the path is on average a
+  /// few hundredths of a percent longer than the shortest path.  On other meshes it can be a third
   /// longer.
   /// \throws Invalid_argument_error if a location is invalid
   template <typename FromLocation, typename ToLocation>

@@ -40,10 +40,9 @@ typename boost::graph_traits<TriangleMesh>::face_descriptor face_of(Halfedge h,
 /// and their edge lengths. It is returned by `make_domain()` and can be passed to functions instead
 /// of the mesh. It is immutable, and copies are cheap, since they share the data.
 ///
-/// A domain stores the descriptors of the mesh. If the mesh is changed, the domain cannot be used any
-/// longer. If the mesh is destroyed or moved, it can still be used by all functions that do not read
-/// or write a property map of halfedges or edges.
-/// It takes about 175 bytes per vertex.
+/// A domain stores the descriptors of the mesh. If the mesh is changed, the domain cannot be used
+/// any longer. If the mesh is destroyed or moved, it can still be used by all functions that do not
+/// read or write a property map of halfedges or edges. It takes about 175 bytes per vertex.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>

@@ -286,8 +286,8 @@ struct Flattening_distortion
 ///
 /// Computes the distortion of a surface by a map to the plane, independently of the map's scale.
 ///
-/// Triangles without area are ignored. If the image of any other triangle has no area, the means are
-/// infinite. The triangles of a cloud overlap, and their areas are weighted as by
+/// Triangles without area are ignored. If the image of any other triangle has no area, the means
+/// are infinite. The triangles of a cloud overlap, and their areas are weighted as by
 /// `surface_distortion()`.
 ///
 /// \tparam Surface as for `geodesic_distances()`

@@ -33,9 +33,9 @@ inline constexpr bool uses_path_energy =
 /// `Surface_path::front_distance` by at most the error of the method.
 ///
 /// On a cloud, the path is that of `Surfel_path_finder` between `from` and the nearest location of
-/// the nearest source.  Only a front admits speeds.  If there are speeds, or if the method is given,
-/// the path is traced and shortened on the local triangles of the cloud, and `initial_path` is empty.
-/// The same holds if only these triangles connect `from` with a source.
+/// the nearest source.  Only a front admits speeds.  If there are speeds, or if the method is
+/// given, the path is traced and shortened on the local triangles of the cloud, and `initial_path`
+/// is empty. The same holds if only these triangles connect `from` with a source.
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Surface as for `geodesic_distances()`

@@ -26,8 +26,8 @@ using Domain_of =
 /// constructs a domain: the preprocessed form of a surface, for any number of calls. It can be
 /// passed to functions instead of the surface.
 ///
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default), or `CGAL::Parallel_tag` for several
-///         threads on a cloud. The results are identical.
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default), or `CGAL::Parallel_tag` for
+///         several threads on a cloud. The results are identical.
 /// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, or of
 ///         `SurfelRange`
 /// \param surface a mesh or a cloud

@@ -20,8 +20,8 @@ namespace CGAL::Geodesic_processing {
 ///         `Base_location` as values
 /// \param surface as for `geodesic_distances()`
 /// \param number the number of base vertices
-/// \param base_location_map receives for each vertex or surfel its `Base_location`; vertices without
-///        faces are not written
+/// \param base_location_map receives for each vertex or surfel its `Base_location`; vertices
+///        without faces are not written
 /// \param np as for `Base_parameterization`
 /// \returns the map between the surface and the base mesh
 /// \throws as `Base_parameterization`

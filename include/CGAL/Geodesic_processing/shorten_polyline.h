@@ -105,10 +105,11 @@ shorten_polyline(const PointRange& polyline, const SquaredDistance& squared_dist
 /// \tparam Surface as for `geodesic_distances()`
 /// \tparam Polyline a range of vertices, surfels, `Location<Surface>` or points of any kernel
 /// \param surface as for `geodesic_distances()`
-/// \param polyline a range of at least two vertices, surfels, locations or points. A point stands for
-///        the closest location on the surface
+/// \param polyline a range of at least two vertices, surfels, locations or points. A point stands
+///        for the closest location on the surface
 /// \param np the named parameters of `Geodesic_path_finder`
-/// \returns the path, as `Geodesic_path_finder`; empty if two consecutive locations are not connected
+/// \returns the path, as `Geodesic_path_finder`; empty if two consecutive locations are not
+///        connected
 /// \throws Invalid_argument_error if there are fewer than two locations, or if one is invalid
 ///
 /// The time is that of a query of `Geodesic_path_finder` for each pair of consecutive locations,

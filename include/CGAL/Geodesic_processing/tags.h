@@ -30,11 +30,12 @@ struct Fast_marching
 ///
 /// The triangles are those of an intrinsic triangulation with the metric of the mesh.
 /// \cgalCite{cgal:fsbs-acidt-07} Edges are flipped if the opposite angles sum to more than 198
-/// degrees, or 190 degrees if large triangles cover a tenth of the area. Therefore needles and caps need no more time than other triangles. If an edge is longer
-/// than five times the root of the mean area per vertex, all edges longer than three times this
-/// root are bisected, because large triangles cause large errors. A mesh of few vertices counts as
-/// one of 500. A solver computes this triangulation once. Samples, cells and charts, which need
-/// many fronts, use it without bisected edges.
+/// degrees, or 190 degrees if large triangles cover a tenth of the area. Therefore needles and caps
+/// need no more time than other triangles. If an edge is longer than five times the root of the
+/// mean area per vertex, all edges longer than three times this root are bisected, because large
+/// triangles cause large errors. A mesh of few vertices counts as one of 500. A solver computes
+/// this triangulation once. Samples, cells and charts, which need many fronts, use it without
+/// bisected edges.
 ///
 /// If the surface between the source and a vertex unfolds to a plane, the distance is exact up to
 /// round-off errors. Elsewhere the method is of second order. Errors are some hundredths of a
@@ -59,8 +60,8 @@ struct Euclidean_front
 /// exceed the exact one by 3e-8 of the lengths of their edges.
 ///
 /// With a positive `relative_tolerance`, similar windows are merged, and the solver has certified
-/// bounds of the distances. \cgalCite{cgal:sskgh-feagm-05} On smooth meshes of 100,000 vertices this
-/// takes a fifth of the time.
+/// bounds of the distances. \cgalCite{cgal:sskgh-feagm-05} On smooth meshes of 100,000 vertices
+/// this takes a fifth of the time.
 ///
 /// On flat regions this takes a few times as long as `Euclidean_front`. On curved meshes the
 /// number of windows grows as O(n<SUP>1.5</SUP>). The windows of adjacent edges cross a face

@@ -116,7 +116,8 @@ Texture_atlas write_atlas(const Atlas& atlas, const TriangleMesh& mesh,
 /// \tparam Mesh a model of `FaceListGraph`, or its domain
 /// \tparam UVMap a model of `WritablePropertyMap` with halfedges as keys and `Point_2` or arrays of
 ///         two numbers as values
-/// \param mesh a triangle mesh, or its domain, of any topology, with any number of components and boundary cycles
+/// \param mesh a triangle mesh, or its domain, of any topology, with any number of components and
+///        boundary cycles
 /// \param number the initial number of charts. More are created if cells are not disks, or if
 ///        charts would overlap themselves or stretch lengths by a mean factor of two. Components
 ///        without a chart also get one
@@ -198,8 +199,8 @@ Texture_atlas texture_atlas(const Mesh& mesh, std::size_t number, UVMap corner_u
 
 /// \ingroup PkgGeodesicProcessingAtlas
 ///
-/// Computes a texture atlas of a cloud: reconstructs a mesh, as `geodesic_delaunay_remeshing()`, and
-/// computes its atlas.
+/// Computes a texture atlas of a cloud: reconstructs a mesh, as `geodesic_delaunay_remeshing()`,
+/// and computes its atlas.
 ///
 /// \tparam Method as for a mesh
 /// \tparam Concurrency_tag as for a mesh
@@ -209,8 +210,8 @@ Texture_atlas texture_atlas(const Mesh& mesh, std::size_t number, UVMap corner_u
 /// \param cloud a clean cloud, or its domain
 /// \param number as for a mesh
 /// \param output receives the reconstructed mesh. Its vertices are surfels
-/// \param corner_uv_map receives for each halfedge of a new face of `output` the texture coordinates
-///        of the corner that it points to
+/// \param corner_uv_map receives for each halfedge of a new face of `output` the texture
+///        coordinates of the corner that it points to
 /// \param np as for a mesh, and
 ///
 /// \cgalNamedParamsBegin

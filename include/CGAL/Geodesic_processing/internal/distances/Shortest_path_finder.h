@@ -15,8 +15,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Finds paths between pairs of locations without computing a distance field.
 //
-// The path of a Path_finder is shortened to a locally shortest path.  On a mesh, its length bounds a
-// search by exact windows (Window_propagation::path_between()).  Copies share the triangles;
+// The path of a Path_finder is shortened to a locally shortest path.  On a mesh, its length bounds
+// a search by exact windows (Window_propagation::path_between()).  Copies share the triangles;
 // different copies can be used concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Shortest_path_finder
 {
