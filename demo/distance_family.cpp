@@ -25,7 +25,7 @@ void append_copy(Mesh& output, const Mesh& mesh, const std::string& name, double
                  double geodesic_sum)
 {
   Mesh copy = mesh;
-  auto map = copy.property_map<Vertex, double>("v:distance").first;
+  auto map = copy.add_property_map<Vertex, double>("v:distance").first; // the existing map
   double largest = 0., sum = 0.;
   for(Vertex v : copy.vertices())
   {

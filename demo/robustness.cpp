@@ -36,7 +36,7 @@ void append(Mesh& output, Mesh mesh, const char* name, Vertex from, double step)
   output += mesh;
   const auto relative_change = [&](const char* property)
   {
-    const auto map = output.property_map<Vertex, double>(property).first;
+    const auto map = output.add_property_map<Vertex, double>(property).first; // the existing map
     const std::size_t last = output.number_of_vertices() - n;
     double sum = 0.;
     for(std::size_t i = 0; i < n; ++i)

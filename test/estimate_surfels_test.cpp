@@ -31,8 +31,8 @@ TEST(estimate_surfels, estimates_sphere_normals_and_radii)
   Point_set points = sphere_points();
   EXPECT_EQ(GP::estimate_surfels(points), 0u);
   ASSERT_TRUE(points.has_normal_map());
-  const auto [radius, has_radius] = points.property_map<double>("radius");
-  ASSERT_TRUE(has_radius);
+  const auto [radius, is_new] = points.add_property_map<double>("radius");
+  ASSERT_FALSE(is_new);
   double sign = 0.;
   for(const auto& index : points)
   {

@@ -6,6 +6,8 @@
 
 #include <functional>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace program {
 
@@ -27,6 +29,18 @@ void add_enum_option(Command& command, const std::string& name, Enum& value,
     value = found->second;
   };
   command.add(name, parse, "NAME", "for clouds, " + text + ": " + list);
+}
+
+// CGAL 5 returns a map with a flag, and CGAL 6 an optional map.
+template <typename Map>
+std::optional<Map> optional_map(const std::pair<Map, bool>& map)
+{
+  return map.second ? std::optional<Map>(map.first) : std::nullopt;
+}
+template <typename Map>
+std::optional<Map> optional_map(const std::optional<Map>& map)
+{
+  return map;
 }
 
 } // namespace
@@ -72,8 +86,8 @@ Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& optio
                       .surfel_path_method(options.method)
                       .number_of_control_points(options.control_points)
                       .number_of_threads(job.threads());
-  const auto radius = cloud.property_map<double>("radius");
-  return radius.second ? Path_finder(cloud, np.radius_map(radius.first)) : Path_finder(cloud, np);
+  const auto radius = optional_map(cloud.property_map<double>("radius"));
+  return radius ? Path_finder(cloud, np.radius_map(*radius)) : Path_finder(cloud, np);
 }
 
 Surface_file denoised_surfels(const Cloud& cloud, const Path_finder& finder)

@@ -30,7 +30,7 @@ std::size_t prepare_cloud(Cloud& cloud, const Surfels_options& options, const Jo
       cloud, GP::parameters::number_of_neighbors(options.neighbors)
                  .outlier_percentage(options.outlier_percentage)
                  .number_of_threads(job.threads()));
-  auto radius = cloud.property_map<double>("radius").first;
+  auto radius = cloud.add_property_map<double>("radius").first; // the existing map
   cloud.remove_property_map(radius);
   if(!options.estimate_normals)
     for(const Cloud::Index& index : cloud)
