@@ -66,6 +66,8 @@ void report(Job& job, std::size_t vertices, std::size_t faces, std::size_t folds
   job.print_line("folds           " + std::to_string(folds));
 }
 
+// Not public: geodesic_base_mesh() fills two meshes, but the command writes arrays and needs the
+// paths of the base edges.
 Point to_point(const GP::internal::Surface_arrays& triangles, std::uint32_t vertex)
 {
   Point result;

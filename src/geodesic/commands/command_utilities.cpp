@@ -51,6 +51,7 @@ void check_method_or_metric(const std::string& method)
                       "heat, spectral, emd and biharmonic.");
 }
 
+// Not public: see the header.
 GP::internal::Distance_method to_method(const std::string& method)
 {
   using GP::internal::Distance_method;

@@ -54,6 +54,8 @@ void check_method(const std::string& method, const Surface& surface);
 void check_method_or_metric(const std::string& method);
 
 // Converts the name of a method that passed check_method().
+//
+// Not public: the method is selected at run time, as for Distance_solver.
 GP::internal::Distance_method to_method(const std::string& method);
 
 // Solver whose method is selected at run time, so that each command is compiled once for all
@@ -99,6 +101,8 @@ typename Domain::Location locate(const Domain& domain, const std::string& text,
 
 // Returns the corners of triangles on which a picture of a cloud draws lines. The triangles are a
 // subset in which each directed halfedge occurs at most once.
+//
+// Not public: the local triangles of a cloud overlap and are an implementation detail.
 std::vector<std::uint32_t> picture_triangles(const GP::internal::Surfel_arrays& surfels);
 
 // Returns the same triangles for a domain, if a picture is requested. Returns an empty array for

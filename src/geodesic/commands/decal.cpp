@@ -88,6 +88,7 @@ Decal_result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
                           const std::vector<Decal_placement>& placements,
                           const Decal_options& options, Job& job)
 {
+  // Not public: the method is selected at run time, so that the command is compiled once.
   using Placer = GP::Decal_placer<Surface_type, GP::internal::Runtime_method>;
   GP::internal::Log_kind kind;
   if(options.method == "exact")

@@ -17,6 +17,8 @@ namespace program {
 
 namespace {
 
+// Not public: the command describes the triangles and components of files, also of those that are
+// no mesh or cloud of the library.
 namespace internal = GP::internal;
 
 struct Mesh_quality

@@ -31,6 +31,7 @@ struct Logmap_result
   std::vector<std::size_t> cut_faces; // of a mesh
 };
 
+// Not public: the method is selected at run time, so that the command is compiled once.
 template <typename Surface_type>
 Logmap_result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
                           const GP::internal::Log_kind& kind, const Logmap_options& options,

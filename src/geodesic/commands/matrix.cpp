@@ -103,6 +103,7 @@ Matrix_result compute_matrix(const Surface_type& surface, const Matrix_options& 
   {
     const auto method = to_method(options.method);
     if(options.is_sparse())
+      // Not public: the method is selected at run time, so that the command is compiled once.
       result.sparse = GP::internal::distances_of_near_pairs<CGAL::Parallel_tag>(
           domain, method, descriptors, options.max_distance, parameters);
     else

@@ -274,6 +274,7 @@ void write_transport(const Job& job, const Transport_result& result,
   write_surface_file(job.output(), file);
 }
 
+// Not public: see the header.
 GP::internal::Transport_method to_transport_method(const std::string& word)
 {
   using GP::internal::Transport_method;

@@ -131,6 +131,8 @@ auto vector_map(std::vector<Point>& vectors, const Surface_type& surface)
 }
 
 // Converts masses or densities to a Mass_distribution.
+//
+// Not public: whether a file contains masses or densities is known at run time only.
 template <typename Domain>
 GP::internal::Mass_distribution distribution(const Domain& domain, const Masses& masses);
 
@@ -139,6 +141,7 @@ template <typename Domain>
 auto preparation(const Domain& domain, const Transport_options& options,
                  const std::vector<double>& speeds)
 {
+  // Not public: the default of a solver, which an option of the command replaces.
   const unsigned refinements =
       options.refine ? static_cast<unsigned>(std::min<std::size_t>(*options.refine, 30))
                      : GP::internal::default_number_of_refinements(*domain.triangles());
@@ -156,6 +159,9 @@ inline auto query_parameters(const Transport_options& options, Job& job)
 }
 
 // Converts the name of a method.
+//
+// Not public: functions of the library take the method as a tag, which would compile each command
+// once for each method.
 GP::internal::Transport_method to_transport_method(const std::string& method);
 
 // Copies the solution of a solver's last query to the result.

@@ -23,6 +23,7 @@ std::size_t max_number_of_vertices(std::size_t bytes)
 
 Surface_file read_gpw(std::string_view bytes, const std::string& name)
 {
+  // Not public: decode_wavelets() fills a mesh, but a file is read to arrays.
   namespace internal = CGAL::Geodesic_processing::internal;
   internal::Decoded_wavelets decoding;
   try

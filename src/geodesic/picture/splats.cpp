@@ -17,6 +17,7 @@ namespace {
 // neighbors include the point itself; coincident points count once.
 std::vector<double> splat_radii(const std::vector<Point>& points)
 {
+  // Not public: a picture of points needs their neighbors even if there is no cloud.
   namespace internal = CGAL::Geodesic_processing::internal;
   std::vector<Point> unique_points = points;
   std::sort(unique_points.begin(), unique_points.end());

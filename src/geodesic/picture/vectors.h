@@ -7,7 +7,7 @@
 
 namespace program {
 
-// The points of a picture are vectors of the library.
+// Not public: the points of a picture are arrays, as those of kernels.
 using CGAL::Geodesic_processing::internal::cross;
 using CGAL::Geodesic_processing::internal::dot;
 using CGAL::Geodesic_processing::internal::norm;

@@ -14,6 +14,7 @@ namespace program {
 
 namespace {
 
+// Not public: the points of a file get normals before they are a cloud of the library.
 using CGAL::Geodesic_processing::internal::dot;
 using CGAL::Geodesic_processing::internal::estimate_normals;
 using CGAL::Geodesic_processing::internal::Index;
