@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Fails if a file of the program uses internals of the library without a reason, a comment that begins
-# with "Not public: ".
+# Fails if a file of the program uses internals of the library without a reason: a comment that
+# begins with "Not public: ".
 set(folder ${CMAKE_CURRENT_LIST_DIR}/../src/geodesic)
 file(GLOB_RECURSE sources ${folder}/*.h ${folder}/*.cpp)
 set(errors "")

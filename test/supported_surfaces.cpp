@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Calls every function and class of the package on a mesh, a cloud and their domains, as far as
-// is_supported_v admits it. The file is only compiled: with MESHES, with CLOUDS, or with REJECTED,
-// the name of a function. Then it calls this function on a surface that the function does not
-// accept, and the compiler must print the reason.
+// is_supported_v admits it. The file is only compiled: with ON_MESHES, with ON_CLOUDS, or with
+// REJECTED. The latter calls functions on surfaces that they do not accept, and the compiler must
+// print the reasons.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Point_set_3.h>
@@ -165,9 +165,16 @@ CALL(Volumetric_metric, GP::Volumetric_metric<Plain>{surface}.distance(Point(), 
 #undef CALL
 
 #ifdef REJECTED
-using Rejected = std::conditional_t<GP::is_supported_v<GP::Function::REJECTED, Mesh>, Cloud, Mesh>;
-static_assert(!GP::is_supported_v<GP::Function::REJECTED, Rejected>);
-void call() { Call<GP::Function::REJECTED>::run(Rejected()); }
+void call_all(const Mesh& mesh, const Cloud& cloud)
+{
+#  define BOTH(name)
+#  define MESHES(name, reason) Call<GP::Function::name>::run(cloud);
+#  define CLOUDS(name, reason) Call<GP::Function::name>::run(mesh);
+  CGAL_GEODESIC_PROCESSING_FUNCTIONS(BOTH, MESHES, CLOUDS)
+#  undef CLOUDS
+#  undef MESHES
+#  undef BOTH
+}
 #else
 template <typename Surface>
 void call_all(const Surface& surface)
