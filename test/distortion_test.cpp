@@ -72,15 +72,28 @@ TEST(distortion, distortion_of_normal_coordinates_follows_curvature)
   EXPECT_NEAR(largest(&D::linf_stretch), 1., 1e-3); // edges are chords of arcs of length 0.01
 }
 
+// A mesh and its parallel projection to a plane, as maps of vertices and of corners.
+struct Sheared_mesh
+{
+  Mesh mesh;
+  Mesh::Property_map<Vertex, UV> uv;
+  Mesh::Property_map<Halfedge, UV> corners;
+
+  explicit Sheared_mesh(const Triangulation& triangulation)
+      : mesh(mesh_of(triangulation)), uv(mesh.add_property_map<Vertex, UV>("v:uv").first),
+        corners(mesh.add_property_map<Halfedge, UV>("h:uv").first)
+  {
+    for(const Vertex v : mesh.vertices())
+      uv[v] = {mesh.point(v).x(), mesh.point(v).y() + 0.3 * mesh.point(v).z()};
+    for(const Halfedge h : mesh.halfedges())
+      corners[h] = uv[mesh.target(h)];
+  }
+};
+
 TEST(distortion, halfedge_and_vertex_maps_agree)
 {
-  Mesh mesh = mesh_of(icosphere(1));
-  const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
-  const auto corners = mesh.add_property_map<Halfedge, UV>("h:uv").first;
-  for(const Vertex v : mesh.vertices())
-    uv[v] = {mesh.point(v).x(), mesh.point(v).y() + 0.3 * mesh.point(v).z()};
-  for(const Halfedge h : mesh.halfedges())
-    corners[h] = uv[mesh.target(h)];
+  const Sheared_mesh sheared(icosphere(1));
+  const auto& [mesh, uv, corners] = sheared;
   for(const Face f : mesh.faces())
   {
     const auto a = GP::face_distortion(f, mesh, uv), b = GP::face_distortion(f, mesh, corners);
@@ -135,13 +148,8 @@ TEST(distortion, flattening_distortion_is_scale_invariant)
 
 TEST(distortion, domain_gives_the_values_of_its_mesh)
 {
-  Mesh mesh = mesh_of(torus(24, 12));
-  const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
-  const auto corners = mesh.add_property_map<Halfedge, UV>("h:uv").first;
-  for(const Vertex v : mesh.vertices())
-    uv[v] = {mesh.point(v).x(), mesh.point(v).y() + 0.3 * mesh.point(v).z()};
-  for(const Halfedge h : mesh.halfedges())
-    corners[h] = uv[mesh.target(h)];
+  const Sheared_mesh sheared(torus(24, 12));
+  const auto& [mesh, uv, corners] = sheared;
   const auto domain = GP::make_domain(mesh);
   const auto expect_equal = [](double a, double b)
   { EXPECT_NEAR(a, b, 1e-12 * std::abs(b)); }; // coordinates relative to the domain's origin
