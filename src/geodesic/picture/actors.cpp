@@ -4,7 +4,7 @@
 
 #  include "picture/actors.h"
 
-#  include "picture/vectors.h"
+#  include "io/vectors.h"
 
 #  include <vtkActor.h>
 #  include <vtkCellArray.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/splats.h"
 
-#include "picture/vectors.h"
+#include "io/vectors.h"
 
 #include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
 
