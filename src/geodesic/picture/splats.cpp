@@ -4,10 +4,13 @@
 
 #include "io/vectors.h"
 
-#include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace program {
 
@@ -17,20 +20,21 @@ namespace {
 // neighbors include the point itself; coincident points count once.
 std::vector<double> splat_radii(const std::vector<Point>& points)
 {
-  // Not public: a picture of points needs their neighbors even if there is no cloud.
-  namespace internal = CGAL::Geodesic_processing::internal;
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Neighbor_search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
   std::vector<Point> unique_points = points;
   std::sort(unique_points.begin(), unique_points.end());
   unique_points.erase(std::unique(unique_points.begin(), unique_points.end()), unique_points.end());
-  std::vector<internal::Index> order;
-  const internal::Kd_tree tree(unique_points, order);
+  Neighbor_search::Tree tree;
+  for(const Point& p : unique_points)
+    tree.insert({p[0], p[1], p[2]});
 
   std::vector<double> radii(points.size());
-  std::vector<internal::Kd_tree::Neighbor> neighbors;
   for(std::size_t i = 0; i < points.size(); ++i)
   {
-    tree.nearest(unique_points, points[i], 7, neighbors);
-    radii[i] = 0.75 * std::sqrt(neighbors.back().squared_distance);
+    const Point& p = points[i];
+    const Neighbor_search search(tree, {p[0], p[1], p[2]}, 7);
+    radii[i] = 0.75 * std::sqrt(std::prev(search.end())->second);
   }
   // Disks of isolated points must neither vanish nor cover other points.
   std::vector<double> sorted = radii;
