@@ -41,8 +41,7 @@ Barycenter_result find_barycenter(const Surface_type& surface, const std::vector
 {
   const auto domain = make_domain(surface, job);
   using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
-  // Not public: the distributions are masses or densities, see distribution().
-  std::vector<GP::internal::Mass_distribution> given;
+  std::vector<Mass_distribution> given;
   for(const Masses& mass : masses)
     given.push_back(distribution(domain, mass));
   std::vector<double> weights = options.weights;

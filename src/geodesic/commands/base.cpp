@@ -18,6 +18,11 @@ namespace program {
 
 namespace {
 
+// Not public: Base_parameterization does not return the paths of base edges, and
+// geodesic_base_mesh() would compute the base mesh again to return the divided mesh.
+using GP::internal::Base_mesh;
+using GP::internal::Surface_arrays;
+
 struct Base_options : Remeshing_options
 {
   std::string coordinates = "heron";
@@ -66,9 +71,7 @@ void report(Job& job, std::size_t vertices, std::size_t faces, std::size_t folds
   job.print_line("folds           " + std::to_string(folds));
 }
 
-// Not public: geodesic_base_mesh() fills two meshes, but the command writes arrays and needs the
-// paths of the base edges.
-Point to_point(const GP::internal::Surface_arrays& triangles, std::uint32_t vertex)
+Point to_point(const Surface_arrays& triangles, std::uint32_t vertex)
 {
   Point result;
   for(std::size_t k = 0; k < 3; ++k)
@@ -76,7 +79,7 @@ Point to_point(const GP::internal::Surface_arrays& triangles, std::uint32_t vert
   return result;
 }
 
-Surface_file base_file(const GP::internal::Base_mesh& base)
+Surface_file base_file(const Base_mesh& base)
 {
   Surface_file result;
   for(const auto vertex : base.vertex)
@@ -91,7 +94,7 @@ Surface_file base_file(const GP::internal::Base_mesh& base)
 
 // Returns the input mesh subdivided along the edges of the base mesh. The face number "base_face"
 // stores the base face of each triangle.
-Surface_file divided_file(const GP::internal::Base_mesh& base)
+Surface_file divided_file(const Base_mesh& base)
 {
   Surface_file result;
   for(std::uint32_t vertex = 0; vertex < base.fine.point.size(); ++vertex)
@@ -105,8 +108,7 @@ Surface_file divided_file(const GP::internal::Base_mesh& base)
 
 // Draws each base face in its own color. Vertices are duplicated per base face, because colors are
 // stored at vertices.
-void draw_base_mesh(const std::string& filename, const GP::internal::Base_mesh& base,
-                    bool show_edges)
+void draw_base_mesh(const std::string& filename, const Base_mesh& base, bool show_edges)
 {
   Surface_file regions;
   Picture picture{&regions};
@@ -165,7 +167,7 @@ void run_base(Job& job, const Base_options& options)
   }
   job.begin_stage("write");
   job.write_values([&] { return text; });
-  const GP::internal::Base_mesh& base_mesh = base.map().base();
+  const Base_mesh& base_mesh = base.map().base(); // Not public: as for Base_mesh
   if(!job.picture().empty())
     draw_base_mesh(job.picture(), base_mesh, options.is_divided);
   if(!job.output().empty())

@@ -51,10 +51,8 @@ void check_method_or_metric(const std::string& method)
                       "heat, spectral, emd and biharmonic.");
 }
 
-// Not public: see the header.
-GP::internal::Distance_method to_method(const std::string& method)
+Distance_method to_method(const std::string& method)
 {
-  using GP::internal::Distance_method;
   return method == "dijkstra"        ? Distance_method::dijkstra
          : method == "fast-marching" ? Distance_method::fast_marching
          : method == "exact"         ? Distance_method::exact
@@ -69,9 +67,11 @@ void check_method(const std::string& method, const Surface& surface)
     fail(surface.name, "the method exact needs a mesh, but the input is a cloud");
 }
 
-std::vector<std::uint32_t> picture_triangles(const GP::internal::Surfel_arrays& surfels)
+std::vector<std::uint32_t> picture_triangles(const Cloud_domain& domain)
 {
-  const GP::internal::Surface_arrays& t = surfels.arrays;
+  // Not public: The triangles of a cloud overlap, so no function returns them as a mesh.
+  const auto& surfels = domain.surfels();
+  const auto& t = surfels.arrays;
   // The triangles of a cloud overlap if the one-rings of its surfels disagree. Triangles of
   // largest weight (found by the most surfels) are accepted first. Each directed halfedge is used
   // once.

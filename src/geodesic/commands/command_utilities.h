@@ -53,15 +53,37 @@ void check_method(const std::string& method, const Surface& surface);
 // Checks the name of a method or metric. Throws Usage_error if it is unknown.
 void check_method_or_metric(const std::string& method);
 
-// Converts the name of a method that passed check_method().
-//
-// Not public: the method is selected at run time, as for Distance_solver.
-GP::internal::Distance_method to_method(const std::string& method);
+// Not public: Solvers and maps have the method as template argument, and each command would be
+// compiled once for each of six methods.
+using GP::internal::Distance_method;
+using GP::internal::Log_kind;
+using GP::internal::Log_method;
+using GP::internal::Runtime_method;
 
-// Solver whose method is selected at run time, so that each command is compiled once for all
-// methods.
+// Converts the name of a method that passed check_method().
+Distance_method to_method(const std::string& method);
+
+// Solver whose method is selected at run time
 template <typename Surface_type>
-using Distance_solver = GP::Geodesic_distance_solver<Surface_type, GP::internal::Runtime_method>;
+using Distance_solver = GP::Geodesic_distance_solver<Surface_type, Runtime_method>;
+
+// Calls f with the tag of a method that passed check_method(). Use it for functions that take
+// little time to compile.
+template <typename Function>
+auto with_method_tag(const std::string& method, Function f)
+{
+  if(method == "dijkstra")
+    return f(GP::Dijkstra());
+  if(method == "fast-marching")
+    return f(GP::Fast_marching());
+  if(method == "exact")
+    return f(GP::Exact());
+  if(method == "heat")
+    return f(GP::Heat());
+  if(method == "euclidean")
+    return f(GP::Euclidean_front());
+  return f(GP::Automatic());
+}
 
 // Domains of all commands that compute distances
 using Mesh_domain = GP::Mesh_domain<Mesh>;
@@ -99,11 +121,17 @@ template <typename Domain>
 typename Domain::Location locate(const Domain& domain, const std::string& text,
                                  const std::string& option);
 
+// Returns the point of a location on the surface.
+template <typename Domain>
+Point location_point(const Domain& domain, const typename Domain::Location& location)
+{
+  // Not public: No function returns the point of a location on a cloud.
+  return coordinates(domain.point(domain.inner(location)));
+}
+
 // Returns the corners of triangles on which a picture of a cloud draws lines. The triangles are a
 // subset in which each directed halfedge occurs at most once.
-//
-// Not public: the local triangles of a cloud overlap and are an implementation detail.
-std::vector<std::uint32_t> picture_triangles(const GP::internal::Surfel_arrays& surfels);
+std::vector<std::uint32_t> picture_triangles(const Cloud_domain& domain);
 
 // Returns the same triangles for a domain, if a picture is requested. Returns an empty array for
 // meshes, because pictures use their faces.
@@ -113,7 +141,7 @@ std::vector<std::uint32_t> picture_triangles([[maybe_unused]] const Domain& doma
 {
   if constexpr(!is_mesh<typename Domain::Surface>)
     if(!job.picture().empty())
-      return picture_triangles(domain.surfels());
+      return picture_triangles(domain);
   return {};
 }
 

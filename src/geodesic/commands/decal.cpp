@@ -83,16 +83,15 @@ void bake(const std::vector<GP::Decal_layer<Mesh>>& layers, std::size_t number_o
   result.faces = texture.faces.size();
 }
 
-template <typename Surface_type>
-Decal_result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
-                          const std::vector<Decal_placement>& placements,
+template <typename Domain>
+Decal_result place_decals(const Domain& domain, const std::vector<Decal_placement>& placements,
                           const Decal_options& options, Job& job)
 {
-  // Not public: the method is selected at run time, so that the command is compiled once.
-  using Placer = GP::Decal_placer<Surface_type, GP::internal::Runtime_method>;
-  GP::internal::Log_kind kind;
+  using Surface_type = typename Domain::Surface;
+  using Placer = GP::Decal_placer<Surface_type, Runtime_method>;
+  Log_kind kind;
   if(options.method == "exact")
-    kind.method = GP::internal::Log_method::exact;
+    kind.method = Log_method::exact;
   Placer placer(domain, kind);
   job.begin_stage("query");
   Decal_result result;
@@ -115,7 +114,7 @@ Decal_result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
                           : place_at(locate(domain, placement.point, "--base-at")),
                       image});
     const auto& decal = layers.back().decal;
-    using Vertex = typename Placer::Domain::Vertex;
+    using Vertex = typename Domain::Vertex;
     GP::composite_decal(decal, image, Value_map<Vertex, Color>{&result.colors});
     result.centers.push_back(coordinates(decal.frame.origin));
     result.normals.push_back(coordinates(decal.frame.normal()));
@@ -136,7 +135,7 @@ Decal_result find_decals(const Surface_type& surface,
                          const Decal_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
-  return place_decals<Surface_type>(domain, placements, options, job);
+  return place_decals(domain, placements, options, job);
 }
 
 std::vector<std::size_t> parse_base_vertices(const Decal_options& options)

@@ -78,7 +78,7 @@ Distance_result compute_distances(const Surface_type& surface, const Distance_op
   {
     const typename Domain::Location location = locate(domain, options.source_at, "--source-at");
     sources.emplace_back(location);
-    result.sources.push_back(coordinates(domain.point(domain.inner(location))));
+    result.sources.push_back(location_point(domain, location));
   }
   if constexpr(is_mesh<Surface_type>)
     if(options.use_boundary)

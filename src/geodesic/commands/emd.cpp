@@ -52,8 +52,8 @@ Transport_result compute_transport(const Surface_type& surface, const Masses& fr
     const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
     GP::Earth_movers_solver<Surface_type> solver(domain, preparation(domain, options, speed));
     job.begin_stage("query");
-    result.cost = solver.compute(to_transport_method(options.method), from_masses, to_masses,
-                                 query_parameters(options, job));
+    result.cost = compute_cost(solver, options.method, from_masses, to_masses,
+                               query_parameters(options, job));
     job.result()["estimate"] = json_number(result.cost.estimate);
     copy_solution(solver, surface, job, result);
   }

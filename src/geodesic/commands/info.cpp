@@ -7,9 +7,6 @@
 #include "app/commands.h"
 #include "commands/command_utilities.h"
 
-#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
-#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,9 +14,11 @@ namespace program {
 
 namespace {
 
-// Not public: the command describes the triangles and components of files, also of those that are
-// no mesh or cloud of the library.
-namespace internal = GP::internal;
+// Not public: Domains do not count degenerate faces, and no function returns the connected
+// components of a cloud.
+using GP::internal::build_mesh_arrays;
+using GP::internal::components;
+using GP::internal::Surface_arrays;
 
 struct Mesh_quality
 {
@@ -37,7 +36,7 @@ double cross_product_length(const Point& u, const Point& v)
                     u[0] * v[1] - u[1] * v[0]);
 }
 
-Mesh_quality compute_quality(const internal::Surface_arrays& triangles)
+Mesh_quality compute_quality(const Surface_arrays& triangles)
 {
   constexpr double degrees_per_radian = 57.295779513082323;
   Mesh_quality quality;
@@ -65,13 +64,13 @@ Mesh_quality compute_quality(const internal::Surface_arrays& triangles)
 
 // Returns the connected component of each vertex. vertex[i] is the internal index of vertex i of
 // the file.
-std::vector<long long> component_labels(const internal::Surface_arrays& triangles,
-                                        const std::vector<internal::Index>& vertex)
+std::vector<long long> component_labels(const Surface_arrays& triangles,
+                                        const std::vector<std::uint32_t>& vertex)
 {
-  const std::vector<internal::Index> label = internal::components(triangles).first;
+  const std::vector<std::uint32_t> label = components(triangles).first;
   std::vector<long long> result(vertex.size());
   std::transform(vertex.begin(), vertex.end(), result.begin(),
-                 [&](internal::Index s) { return static_cast<long long>(label[s]); });
+                 [&](std::uint32_t s) { return static_cast<long long>(label[s]); });
   return result;
 }
 
@@ -87,7 +86,7 @@ Picture_regions report_mesh(Job& job)
   const Surface& surface = job.surface();
   const Connectivity& connectivity = surface.connectivity;
   const auto mesh =
-      internal::build_mesh_arrays(surface.file.points, surface.file.corners, connectivity.twins);
+      build_mesh_arrays(surface.file.points, surface.file.corners, connectivity.twins);
   job.begin_stage("query");
   const Mesh_quality quality = compute_quality(mesh.arrays);
   const std::size_t faces = surface.file.number_of_polygons();
@@ -121,18 +120,16 @@ Picture_regions report_mesh(Job& job)
 // unreachable.
 Picture_regions report_cloud(Job& job)
 {
-  const Surface_file& file = job.surface().file;
-  internal::Surfel_options options;
-  options.number_of_threads = job.threads();
-  const auto surfels = internal::build_surfel_arrays(file.points, file.normals, {}, options);
+  const Cloud_domain domain = make_domain(make_cloud(job.surface()), job);
+  const auto& surfels = domain.surfels(); // Not public: components() needs these arrays.
   job.begin_stage("query");
-  const std::size_t components = internal::components(surfels.arrays).second;
-  job.result()["components"] = components;
-  job.print_line("components      " + std::to_string(components));
+  const std::size_t number_of_components = components(surfels.arrays).second;
+  job.result()["components"] = number_of_components;
+  job.print_line("components      " + std::to_string(number_of_components));
   if(job.picture().empty())
     return {};
-  Picture_regions regions = {{}, picture_triangles(surfels)};
-  if(components > 1)
+  Picture_regions regions = {{}, picture_triangles(domain)};
+  if(number_of_components > 1)
     regions.labels = component_labels(surfels.arrays, surfels.internal_vertex);
   return regions;
 }

@@ -31,13 +31,12 @@ struct Logmap_result
   std::vector<std::size_t> cut_faces; // of a mesh
 };
 
-// Not public: the method is selected at run time, so that the command is compiled once.
-template <typename Surface_type>
-Logmap_result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
-                          const GP::internal::Log_kind& kind, const Logmap_options& options,
+template <typename Domain>
+Logmap_result compute_map(const Domain& domain, const Log_kind& kind, const Logmap_options& options,
                           Job& job)
 {
-  GP::Logarithmic_map<Surface_type, GP::internal::Runtime_method> map(domain, kind);
+  using Surface_type = typename Domain::Surface;
+  GP::Logarithmic_map<Surface_type, Runtime_method> map(domain, kind);
   job.begin_stage("query");
   const auto limits = GP::parameters::maximum_distance(options.radius);
   const auto compute = [&](const auto& base)
@@ -70,12 +69,11 @@ template <typename Surface_type>
 Logmap_result find_map(const Surface_type& surface, const Logmap_options& options, Job& job)
 {
   const auto domain = make_domain(surface, job);
-  using GP::internal::Log_method;
   const Log_method method = options.method == "exact" ? Log_method::exact
                             : options.method == "discrete-exponential"
                                 ? Log_method::discrete_exponential
                                 : Log_method::gradient;
-  return compute_map<Surface_type>(domain, {method, to_method(options.distances)}, options, job);
+  return compute_map(domain, {method, to_method(options.distances)}, options, job);
 }
 
 void check(const Logmap_options& options)

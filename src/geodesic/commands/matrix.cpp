@@ -46,10 +46,10 @@ struct Matrix_result
 // Returns the picture's values: distances from the row vertices. If all vertices are rows, returns
 // the number of entries of each row.
 template <typename Domain>
-std::vector<double>
-picture_values(const Domain& domain, const std::vector<typename Domain::Vertex>& descriptors,
-               GP::internal::Distance_method method, const Matrix_result& result,
-               const Matrix_options& options, const Job& job)
+std::vector<double> picture_values(const Domain& domain,
+                                   const std::vector<typename Domain::Vertex>& descriptors,
+                                   const std::string& method, const Matrix_result& result,
+                                   const Matrix_options& options, const Job& job)
 {
   std::vector<double> values(job.surface().file.points.size());
   if(options.has_all_vertices())
@@ -60,7 +60,7 @@ picture_values(const Domain& domain, const std::vector<typename Domain::Vertex>&
     return values;
   }
   using Surface_type = typename Domain::Surface;
-  Distance_solver<Surface_type> solver(domain, method);
+  Distance_solver<Surface_type> solver(domain, to_method(method));
   solver.compute(descriptors, GP::parameters::maximum_distance(options.max_distance));
   for(std::size_t i = 0; i < values.size(); ++i)
     values[i] = solver.distance(vertex_at<Surface_type>(i));
@@ -96,21 +96,24 @@ Matrix_result compute_matrix(const Surface_type& surface, const Matrix_options& 
                               [&](const auto& metric)
                               { result.dense = metric.distance_matrix(descriptors); });
     if(!job.picture().empty()) // a picture shows path lengths
-      result.values = picture_values(domain, descriptors, GP::internal::Distance_method::automatic,
-                                     result, options, job);
+      result.values = picture_values(domain, descriptors, "automatic", result, options, job);
   }
   else
   {
-    const auto method = to_method(options.method);
-    if(options.is_sparse())
-      // Not public: the method is selected at run time, so that the command is compiled once.
-      result.sparse = GP::internal::distances_of_near_pairs<CGAL::Parallel_tag>(
-          domain, method, descriptors, options.max_distance, parameters);
-    else
-      result.dense = GP::internal::distances_of_pairs<CGAL::Parallel_tag>(domain, method,
-                                                                          descriptors, parameters);
+    with_method_tag(options.method,
+                    [&](auto method)
+                    {
+                      using Method = decltype(method);
+                      if(options.is_sparse())
+                        result.sparse =
+                            GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
+                                domain, descriptors, options.max_distance, parameters);
+                      else
+                        result.dense = GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
+                            domain, descriptors, parameters);
+                    });
     if(!job.picture().empty())
-      result.values = picture_values(domain, descriptors, method, result, options, job);
+      result.values = picture_values(domain, descriptors, options.method, result, options, job);
   }
   result.entries = options.is_sparse()
                        ? static_cast<std::size_t>(result.sparse.nonZeros())

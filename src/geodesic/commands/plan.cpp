@@ -60,8 +60,8 @@ compute_plan(const Surface_type& surface, const Masses& from, const std::vector<
       domain, region,
       preparation(domain, options, speed).capacities(capacity).spreading_weight(options.spread));
   job.begin_stage("query");
-  result.cost = solver.compute(to_transport_method(options.method), distribution(domain, from),
-                               query_parameters(options, job));
+  result.cost = compute_cost(solver, options.method, distribution(domain, from),
+                             query_parameters(options, job));
   copy_solution(solver, surface, job, result);
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
     result.arrivals.push_back(solver.arrival(vertex_at<Surface_type>(i)));

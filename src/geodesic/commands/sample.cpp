@@ -50,7 +50,7 @@ Sample_result find_samples(const Surface_type& surface, const Sample_options& op
   result.triangles = picture_triangles(domain, job);
   for(const auto& sample : samples)
   {
-    result.points.push_back(coordinates(domain.point(domain.inner(sample))));
+    result.points.push_back(location_point(domain, sample));
     result.text += location_text(surface, sample) + '\n';
     if constexpr(!is_mesh<Surface_type>)
       result.normals.push_back(job.surface().file.normals[std::size_t(sample.surfel)]);

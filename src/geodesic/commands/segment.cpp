@@ -60,7 +60,7 @@ Segment_result find_cells(const Surface_type& surface, const Segment_options& op
   else
     tessellate(Label_map<typename Domain::Vertex>{&result.labels});
   for(const auto& center : centers)
-    result.centers.push_back(coordinates(domain.point(domain.inner(center))));
+    result.centers.push_back(location_point(domain, center));
   result.triangles = picture_triangles(domain, job);
   return result;
 }

@@ -38,8 +38,8 @@ Streamline_result compute_streamlines(const Surface_type& surface, const Masses&
   GP::Earth_movers_solver<Surface_type> solver(domain, preparation(domain, options, speed));
   job.begin_stage("query");
   Streamline_result result;
-  result.cost = solver.compute(to_transport_method(options.method), distribution(domain, from),
-                               distribution(domain, to), query_parameters(options, job));
+  result.cost = compute_cost(solver, options.method, distribution(domain, from),
+                             distribution(domain, to), query_parameters(options, job));
   const auto tracer = solver.streamlines(GP::parameters::do_straighten(!options.keep_traced));
   std::vector<GP::Streamline<Surface_type>> lines;
   if(options.seeds.empty())

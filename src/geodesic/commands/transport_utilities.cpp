@@ -274,21 +274,12 @@ void write_transport(const Job& job, const Transport_result& result,
   write_surface_file(job.output(), file);
 }
 
-// Not public: see the header.
-GP::internal::Transport_method to_transport_method(const std::string& word)
-{
-  using GP::internal::Transport_method;
-  return word == "admm"        ? Transport_method::admm
-         : word == "weiszfeld" ? Transport_method::weiszfeld
-                               : Transport_method::interior_point;
-}
-
 template <typename Domain>
-GP::internal::Mass_distribution distribution(const Domain& domain, const Masses& masses)
+Mass_distribution distribution(const Domain& domain, const Masses& given)
 {
-  const Property_map<typename Domain::Vertex> map{&masses.values};
-  return masses.is_density ? GP::internal::masses(domain, GP::mass_density(map))
-                           : GP::internal::masses(domain, map);
+  using GP::internal::masses; // Not public: This function returns a Mass_distribution.
+  const Property_map<typename Domain::Vertex> map{&given.values};
+  return given.is_density ? masses(domain, GP::mass_density(map)) : masses(domain, map);
 }
 
 template <typename Domain>
@@ -303,7 +294,7 @@ void add_sources(const Domain& domain, const Region_options& options, const Surf
     {
       const auto place = locate(domain, point, options.at_option);
       region.emplace_back(place);
-      result.feature_polylines.push_back({coordinates(domain.point(domain.inner(place)))});
+      result.feature_polylines.push_back({location_point(domain, place)});
     }
     for(const std::string& text : options.paths)
     {
@@ -350,8 +341,8 @@ void add_hodge_decomposition([[maybe_unused]] const Domain& domain,
                               vector_map(result.fields["harmonic"], surface));
 }
 
-template GP::internal::Mass_distribution distribution(const Mesh_domain&, const Masses&);
-template GP::internal::Mass_distribution distribution(const Cloud_domain&, const Masses&);
+template Mass_distribution distribution(const Mesh_domain&, const Masses&);
+template Mass_distribution distribution(const Cloud_domain&, const Masses&);
 template void add_sources(const Mesh_domain&, const Region_options&, const Surface&,
                           std::vector<GP::Source<Mesh>>&, Transport_result&);
 template void add_sources(const Cloud_domain&, const Region_options&, const Surface&,

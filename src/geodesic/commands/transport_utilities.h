@@ -130,21 +130,25 @@ auto vector_map(std::vector<Point>& vectors, const Surface_type& surface)
   }
 }
 
+// Not public: Solvers accept masses and densities as property maps of different types, and the
+// arguments of a command select one of them at run time.
+using GP::internal::Mass_distribution;
+
 // Converts masses or densities to a Mass_distribution.
-//
-// Not public: whether a file contains masses or densities is known at run time only.
 template <typename Domain>
-GP::internal::Mass_distribution distribution(const Domain& domain, const Masses& masses);
+Mass_distribution distribution(const Domain& domain, const Masses& masses);
 
 // Returns the named parameters of a solver's constructor: refinements and speeds.
 template <typename Domain>
 auto preparation(const Domain& domain, const Transport_options& options,
                  const std::vector<double>& speeds)
 {
-  // Not public: the default of a solver, which an option of the command replaces.
+  // Not public: Named parameters are types, so a command cannot omit number_of_refinements at run
+  // time.
+  const unsigned default_number = GP::internal::default_number_of_refinements(*domain.triangles());
   const unsigned refinements =
       options.refine ? static_cast<unsigned>(std::min<std::size_t>(*options.refine, 30))
-                     : GP::internal::default_number_of_refinements(*domain.triangles());
+                     : default_number;
   return GP::parameters::number_of_refinements(refinements)
       .speed_map(speed_map<typename Domain::Vertex>(speeds));
 }
@@ -158,11 +162,17 @@ inline auto query_parameters(const Transport_options& options, Job& job)
       .callback(job.progress_callback("transport"));
 }
 
-// Converts the name of a method.
-//
-// Not public: functions of the library take the method as a tag, which would compile each command
-// once for each method.
-GP::internal::Transport_method to_transport_method(const std::string& method);
+// Runs a query of a solver by the method with the given name.
+template <typename Solver, typename... Arguments>
+GP::Earth_movers_cost compute_cost(Solver& solver, const std::string& method,
+                                   const Arguments&... arguments)
+{
+  if(method == "admm")
+    return solver.template compute<GP::Alternating_directions>(arguments...);
+  if(method == "weiszfeld")
+    return solver.template compute<GP::Weiszfeld>(arguments...);
+  return solver.template compute<GP::Interior_point>(arguments...);
+}
 
 // Copies the solution of a solver's last query to the result.
 template <typename Surface_type>

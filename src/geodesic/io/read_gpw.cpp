@@ -4,6 +4,8 @@
 #include "io/errors.h"
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+// Not public: decode_wavelets() writes to a halfedge mesh and rejects streams with nonmanifold
+// vertices, which the program repairs.
 #include <CGAL/Geodesic_processing/internal/subdivision/zerotree.h>
 
 #include <algorithm>
@@ -11,6 +13,11 @@
 namespace program {
 
 namespace {
+
+// Not public: The include above has the reason.
+using CGAL::Geodesic_processing::internal::decode;
+using CGAL::Geodesic_processing::internal::decoded_values;
+using CGAL::Geodesic_processing::internal::Decoded_wavelets;
 
 // Bounds the number of vertices, because a few bytes can encode a mesh of any size. In practice,
 // base meshes are subdivided five or six times.
@@ -23,13 +30,11 @@ std::size_t max_number_of_vertices(std::size_t bytes)
 
 Surface_file read_gpw(std::string_view bytes, const std::string& name)
 {
-  // Not public: decode_wavelets() fills a mesh, but a file is read to arrays.
-  namespace internal = CGAL::Geodesic_processing::internal;
-  internal::Decoded_wavelets decoding;
+  Decoded_wavelets decoding;
   try
   {
-    decoding = internal::decode(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
-                                max_number_of_vertices(bytes.size()));
+    decoding = decode(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
+                      max_number_of_vertices(bytes.size()));
   }
   catch(const CGAL::Geodesic_processing::Invalid_argument_error& error)
   {
@@ -37,7 +42,7 @@ Surface_file read_gpw(std::string_view bytes, const std::string& name)
   }
   if(decoding.signal.channels != 3)
     throw Input_error(name + ": The wavelet stream does not contain vertex positions.");
-  const std::vector<double> values = internal::decoded_values(decoding);
+  const std::vector<double> values = decoded_values(decoding);
   Surface_file result;
   for(std::size_t i = 0; i < values.size(); i += 3)
     result.points.push_back({values[i], values[i + 1], values[i + 2]});

@@ -2,24 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/repair.h"
 
-#include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
-#include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
+#include "io/vectors.h"
+
+// Not public: estimate_surfels() rejects clouds with at most as many points as neighbors, orients
+// all normals, and also computes radii.
 #include "surfels/normals.h"
+// Not public: The search trees of CGAL return any of several points at the same distance, and
+// overflow if coordinates are large. The orientation of normals must be deterministic.
+#include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
+#include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace program {
 
 namespace {
 
-// Not public: the points of a file get normals before they are a cloud of the library.
-using CGAL::Geodesic_processing::internal::dot;
+// Not public: The includes above have the reasons.
 using CGAL::Geodesic_processing::internal::estimate_normals;
-using CGAL::Geodesic_processing::internal::Index;
 using CGAL::Geodesic_processing::internal::Kd_tree;
-using CGAL::Geodesic_processing::internal::operator*;
 using CGAL::Geodesic_processing::internal::to_frame;
 using CGAL::Geodesic_processing::internal::unit_frame;
 
@@ -60,7 +64,7 @@ void fill_missing_normals(std::vector<Point> points, const std::vector<Point>& e
       known_points.push_back(points[i]);
       known_normals.push_back(normals[i]);
     }
-  std::vector<Index> order;
+  std::vector<std::uint32_t> order;
   const Kd_tree tree(known_points, order);
   for(std::size_t i = 0; i < points.size(); ++i)
     if(is_zero(normals[i]))
