@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace program {
 
@@ -33,8 +32,10 @@ std::vector<double> splat_radii(const std::vector<Point>& points)
   for(std::size_t i = 0; i < points.size(); ++i)
   {
     const Point& p = points[i];
-    const Neighbor_search search(tree, {p[0], p[1], p[2]}, 7);
-    radii[i] = 0.75 * std::sqrt(std::prev(search.end())->second);
+    double squared_distance = 0.;
+    for(const auto& neighbor : Neighbor_search(tree, {p[0], p[1], p[2]}, 7))
+      squared_distance = std::max(squared_distance, neighbor.second);
+    radii[i] = 0.75 * std::sqrt(squared_distance);
   }
   // Disks of isolated points must neither vanish nor cover other points.
   std::vector<double> sorted = radii;
