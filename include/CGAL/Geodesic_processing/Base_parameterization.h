@@ -80,6 +80,7 @@ struct Base_location
 /// do not fold triangles and have the same boundary values (Tutte 1963, Floater 1997).
 ///
 /// The object stores the descriptors of the mesh, as a `Mesh_domain` does, but not the mesh.
+/// Members that do not state their time take O(1) time.
 ///
 /// \tparam Surface a model of `FaceListGraph` or of `SurfelRange`
 template <typename Surface>
@@ -121,6 +122,12 @@ public:
       : Base_parameterization(internal::Domain_of<Surface>(surface, np), number, np)
   {}
   /// Computes the base mesh and the map of a domain.
+  ///
+  /// \param domain a domain of the surface
+  /// \param number, np as for a surface
+  /// \throws as for a surface
+  ///
+  /// The time is that for a surface.
   template <typename NamedParameters = internal::Default_parameters>
   Base_parameterization(const internal::Domain_of<Surface>& domain, std::size_t number,
                         const NamedParameters& np = NamedParameters());
@@ -130,13 +137,18 @@ public:
   std::size_t number_of_base_faces() const { return m_map->base().triangles.size(); }
   /// Returns the indices of the base vertices at the corners of a base face, counterclockwise.
   /// Barycentric coordinates are in the same order.
+  /// \param face the index of a base face
+  /// \throws Invalid_argument_error if the index is out of range
   std::array<std::size_t, 3> base_face(std::size_t face) const
   {
     check_face(face);
     const auto& f = m_map->base().triangles[face];
     return {f[0], f[1], f[2]};
   }
-  /// Returns the location of a base vertex on the mesh.
+  /// Returns the location of a base vertex on the mesh. On a cloud of n surfels, this takes O(log
+  /// n) time.
+  /// \param vertex the index of a base vertex
+  /// \throws Invalid_argument_error if the index is out of range
   Location base_vertex(std::size_t vertex) const
   {
     if(vertex >= number_of_base_vertices())
@@ -151,21 +163,35 @@ public:
   std::size_t number_of_repaired_faces() const { return m_map->number_of_repaired_regions(); }
 
   /// Maps a location of the mesh to the base mesh. Takes time proportional to the number of parts
-  /// into which base edges divide its face.
+  /// into which base edges divide its face. On a cloud of n surfels, the search for the closest
+  /// location of the reconstructed mesh takes another O(log n).
+  /// \param location a location on the surface
+  /// \returns the location on the base mesh
+  /// \throws Invalid_argument_error if the location is not on the surface
   Base_location operator()(const Location& location) const
   {
     return locate(internal::canonical(*m_domain.triangles(), m_domain.inner(location)));
   }
-  /// Maps a vertex or surfel to the base mesh. Throws `Invalid_argument_error` if the vertex has no
-  /// face.
+  /// Maps a vertex or surfel to the base mesh. The time is that for a location.
+  /// \param vertex a vertex or surfel
+  /// \returns the location on the base mesh
+  /// \throws Invalid_argument_error if the vertex has no face, or if it does not belong to the
+  ///         surface
   Base_location operator()(Vertex vertex) const
   {
     return locate(internal::canonical(*m_domain.triangles(), m_domain.inner_vertex(vertex)));
   }
   /// Maps a location of the base mesh to the mesh. Takes time proportional to the number of faces
-  /// of the divided mesh in its base face.
+  /// of the divided mesh in its base face. On a cloud of n surfels, it takes another O(log n).
+  /// \param location a location on the base mesh
+  /// \returns the location on the surface
+  /// \throws Invalid_argument_error if the index of the base face is out of range, or if a
+  ///         barycentric coordinate is negative or their sum is not one
   Location inverse(const Base_location& location) const { return m_domain.outer(inner(location)); }
-  /// Maps a location of the base mesh to the point on the mesh.
+  /// Maps a location of the base mesh to the point on the mesh. Takes time as `inverse()`.
+  /// \param location a location on the base mesh
+  /// \returns the point in space; on a cloud, a point of the reconstructed mesh
+  /// \throws Invalid_argument_error as `inverse()`
   Point_3 point(const Base_location& location) const { return m_domain.point(inner(location)); }
 
   /// \name Access for other functions of this package

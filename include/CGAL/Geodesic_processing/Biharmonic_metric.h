@@ -35,7 +35,7 @@ public:
   using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
-  /// precomputes the factorization.
+  /// precomputes the factorization, which takes about O(n<SUP>1.5</SUP>) time.
   ///
   /// \param surface the surface
   /// \param np named parameters of `make_domain()`
@@ -44,15 +44,21 @@ public:
   explicit Biharmonic_metric(const Surface& surface, const NamedParameters& np = NamedParameters())
       : Biharmonic_metric(Domain(surface, np))
   {}
+  /// uses an existing `domain`, which is shared. The time is that for a surface.
+  /// \throws Unsupported_surface_error if no triangle has positive area
   explicit Biharmonic_metric(const Domain& domain)
       : m_domain(domain),
         m_distances(std::make_shared<const internal::Biharmonic_distances>(*domain.triangles()))
   {}
 
+  /// returns the domain of the surface. O(1).
   const Domain& domain() const { return m_domain; }
 
-  /// returns the distance between two vertices, surfels or locations.
+  /// returns the distance between two vertices, surfels or locations. Takes two solutions of a
+  /// linear system.
   ///
+  /// \tparam P, Q a vertex, a surfel or a location
+  /// \param p, q two vertices, surfels or locations
   /// \throws Invalid_argument_error if a location is not on the surface
   template <typename P, typename Q>
   double distance(const P& p, const Q& q) const
@@ -60,10 +66,13 @@ public:
     return pairs({internal::location(m_domain, p), internal::location(m_domain, q)})(0, 1);
   }
 
-  /// writes the distance from one location to every vertex or surfel. The first call solves one
-  /// linear system per vertex, each later call two systems.
+  /// writes the distance from one location to every vertex or surfel. The first call takes one
+  /// solution of a linear system per vertex, each later call takes two.
   ///
   /// \tparam Concurrency_tag as for `Transport_metric::write_distances()`
+  /// \tparam Vertex_or_location a vertex, a surfel or a location
+  /// \tparam DistanceMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+  ///         `double` as values
   /// \param from a vertex, surfel or location
   /// \param distance_map receives a `double` for each vertex or surfel; infinity on other
   ///        components
@@ -81,9 +90,12 @@ public:
     m_domain.write([&](internal::Index vertex) { return t.scale * found[vertex]; }, distance_map);
   }
 
-  /// returns the distances of all pairs of locations, as a symmetric matrix.
+  /// returns the distances of all pairs of locations, as a symmetric matrix. Takes one solution of
+  /// a linear system and O(k n) time for each of k locations.
   ///
+  /// \tparam Locations a vertex, surfel or location, or a range of these
   /// \param locations a range of vertices, surfels or locations
+  /// \throws Invalid_argument_error if a location is not on the surface
   template <typename Locations>
   Eigen::MatrixXd distance_matrix(const Locations& locations) const
   {

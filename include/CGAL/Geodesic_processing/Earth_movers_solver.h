@@ -52,6 +52,9 @@ constexpr Transport_method transport_method()
 
 /// gives access to the potential and the flow of the last query of a solver.
 ///
+/// Members that write a property map take O(n) time. Other members that do not state their time
+/// take O(1) time.
+///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
 class Transport_solution
@@ -60,15 +63,20 @@ public:
   using Domain = internal::Domain_of<Surface>;
   using Vertex = typename Domain::Vertex;
 
+  /// returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
   /// returns the potential at a vertex or surfel. The potential increases along the flow, with
   /// slope at most one. Its integral over the target mass minus that over the source mass is the
   /// lower bound.
+  /// \param vertex a vertex or surfel of the surface
   /// \pre `compute()` was called
   double potential(Vertex vertex) const { return m_result.potential[m_domain.index(vertex)]; }
 
   /// writes the potential of each vertex or surfel, a `double`, to a property map.
+  /// \tparam PotentialMap a model of `WritablePropertyMap` with vertices or surfels as keys
+  /// \param map receives the potential
+  /// \pre `compute()` was called
   template <typename PotentialMap>
   void write_potential(PotentialMap map) const
   {
@@ -78,6 +86,10 @@ public:
   /// writes the flow to a property map: a `Vector_3` for each face of a mesh or each surfel of a
   /// cloud, in mass per unit length of a line across it. If the surface was refined, this is the
   /// mean over the triangles of a face.
+  /// \tparam FlowMap a model of `WritablePropertyMap` with faces or surfels as keys and `Vector_3`
+  ///         as values
+  /// \param map receives the flow
+  /// \pre `compute()` was called
   template <typename FlowMap>
   void write_flow(FlowMap map) const
   {
@@ -85,8 +97,11 @@ public:
   }
 
   /// writes the likelihood that mass passes each vertex or surfel, a number in [0, 1]. It is the
-  /// mean length of the flow in the incident triangles, divided by its maximum.
+  /// mean length of the flow in the incident triangles, divided by its maximum. Smoothing takes one
+  /// factorization.
   ///
+  /// \tparam LikelihoodMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+  ///         `double` as values
   /// \param map receives a `double` for each vertex or surfel
   /// \param np
   /// \cgalNamedParamsBegin
@@ -97,6 +112,7 @@ public:
   ///     \cgalParamDefault{0: not smoothed}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
+  /// \pre `compute()` was called
   /// \throws Invalid_argument_error if the radius is negative or not finite
   template <typename LikelihoodMap, typename NamedParameters = internal::Default_parameters>
   void write_likelihood(LikelihoodMap map, const NamedParameters& np = NamedParameters()) const
@@ -115,6 +131,7 @@ public:
 
   /// returns a tracer of streamlines of the flow of the last query.
   ///
+  /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{do_straighten}
   ///     \cgalParamDescription{whether lines are shortened to geodesics; ignored if there is a
@@ -137,6 +154,7 @@ public:
 
   /// writes the potential and the flow to the property maps `potential_map` and `flow_map` of `np`,
   /// if it has them.
+  /// \pre `compute()` was called
   template <typename NamedParameters>
   void write_maps(const NamedParameters& np) const
   {
@@ -239,11 +257,15 @@ public:
   /// \throws Unsupported_surface_error if no triangle has an area or the refined surface is too
   ///         large
   /// \throws Invalid_argument_error if a speed or a metric is invalid
+  ///
+  /// Takes two factorizations, each about O(n<SUP>1.5</SUP>).
   template <typename NamedParameters = internal::Default_parameters>
   explicit Earth_movers_solver(const Surface& surface,
                                const NamedParameters& np = NamedParameters())
       : Earth_movers_solver(Domain(surface, np), np)
   {}
+  /// uses an existing `domain`, which is shared. The time and `np` are as for a surface.
+  /// \throws as for a surface, except for the exceptions of `make_domain()`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Earth_movers_solver(const Domain& domain, const NamedParameters& np = NamedParameters())
       : Base(domain, np)
@@ -253,6 +275,7 @@ public:
   /// flow of the last query.
   ///
   /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
+  /// \tparam From, To mass distributions as listed above
   /// \param from, to mass distributions as listed above
   /// \param np
   /// \cgalNamedParamsBegin
@@ -291,6 +314,7 @@ public:
   ///     \cgalParamDefault{no callback}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
+  /// \pre Property maps have a value for each of their keys.
   /// \returns the distance with certified bounds
   /// \throws Invalid_argument_error if a mass is not finite, if a location is not on the surface,
   ///         or if a range is empty

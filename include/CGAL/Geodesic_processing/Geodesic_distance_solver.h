@@ -50,6 +50,9 @@ struct Geodesic_departure
 /// of the one-ring of each vertex.  This takes less time than a query on the whole mesh.  Together
 /// with the result, it takes about 280 bytes per vertex in addition to the domain.
 ///
+/// Members that write a property map take O(n) time. Other members that do not state their time
+/// take O(1) time.
+///
 /// \tparam Surface as for `geodesic_distances()`, but not a domain
 /// \tparam Method as for `geodesic_distances()`
 template <typename Surface, typename Method = Automatic>
@@ -63,13 +66,18 @@ public:
   using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
-  /// Precomputes the domain of the surface; `np` takes the named parameters of `make_domain()`.
+  /// Precomputes the domain of the surface in the time of `make_domain()`, and uses it.
+  ///
+  /// \param surface the surface
+  /// \param np the named parameters of `make_domain()`
+  /// \throws as `make_domain()`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_distance_solver(const Surface& surface,
                                     const NamedParameters& np = NamedParameters())
       : Geodesic_distance_solver(Domain(surface, np))
   {}
-  /// Uses an existing domain, which is shared.
+  /// Uses an existing `domain`, which is shared.  The fronts on a mesh copy its one-rings in O(n)
+  /// time.  `Heat` factorizes two matrices, each in about O(n<SUP>1.5</SUP>) time.
   explicit Geodesic_distance_solver(const Domain& domain)
       : Geodesic_distance_solver(domain, internal::distance_method<Method>())
   {}
@@ -84,6 +92,7 @@ public:
 
   /// Computes distances to the nearest source.  The result replaces that of the last call.
   ///
+  /// \tparam Sources a vertex, a surfel, a location, a `Source`, or a range of one of these
   /// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of
   ///        these
   /// \param np
@@ -136,6 +145,9 @@ public:
   ///         speeds, or if the relative tolerance is positive and the method is not `Exact`
   /// \throws Cancelled if the callback returns false.  Then only vertices or surfels whose
   ///         distances were final are reached.
+  ///
+  /// Takes O(m log m) time if m vertices or surfels are reached.  `Exact` takes O(m<SUP>1.5</SUP>)
+  /// time in practice.  `Heat` takes back substitutions on the whole surface.
   template <typename Sources, typename NamedParameters = internal::Default_parameters>
   void compute(const Sources& sources, const NamedParameters& np = NamedParameters())
   {
@@ -150,11 +162,15 @@ public:
   /// @{
 
   /// Returns the distance of a vertex or surfel; +infinity if no source reaches it.
+  /// \param vertex a vertex or surfel of the surface
   double distance(Vertex vertex) const
   {
     return scale() * m_engine.distance(m_domain.index(vertex));
   }
-  /// Returns the distance of any location on the surface; +infinity if no source reaches it.
+  /// Returns the distance of any location on the surface; +infinity if no source reaches it.  With
+  /// `Exact`, a location inside a face takes a search whose time depends on the visited faces.
+  /// \param location a location on the surface
+  /// \throws Invalid_argument_error if the location is not on the surface
   double distance(const Location& location) const
   {
     return scale() * m_engine.distance(m_domain.inner(location));
@@ -162,16 +178,27 @@ public:
   /// Returns a certified lower bound of the exact polyhedral distance of a vertex, up to round-off
   /// errors; +infinity if no source reaches it.  It equals `upper()` unless the computation had a
   /// `relative_tolerance`; then `distance()` is the mean of both.
+  /// \param vertex a vertex of the mesh
   /// \throws Unsupported_surface_error if the last computation did not use `Exact`
   double lower(Vertex vertex) const { return scale() * windows().lower(m_domain.index(vertex)); }
   /// Returns a certified upper bound, as `lower()`.  It is the length of a path.
+  /// \param vertex a vertex of the mesh
+  /// \throws Unsupported_surface_error as `lower()`
   double upper(Vertex vertex) const { return scale() * windows().upper(m_domain.index(vertex)); }
-  /// Returns a certified lower bound of the distance of any location, as that of a vertex.
+  /// Returns a certified lower bound of the distance of any location, as that of a vertex.  The
+  /// time is that of `distance()`.
+  /// \param location a location on the mesh
+  /// \throws Unsupported_surface_error as `lower()`
+  /// \throws Invalid_argument_error if the location is not on the mesh
   double lower(const Location& location) const
   {
     return scale() * windows().bounds(m_domain.inner(location)).lower;
   }
-  /// Returns a certified upper bound of the distance of any location, as that of a vertex.
+  /// Returns a certified upper bound of the distance of any location, as that of a vertex.  The
+  /// time is that of `distance()`.
+  /// \param location a location on the mesh
+  /// \throws Unsupported_surface_error as `lower()`
+  /// \throws Invalid_argument_error if the location is not on the mesh
   double upper(const Location& location) const
   {
     return scale() * windows().bounds(m_domain.inner(location)).upper;
@@ -181,6 +208,12 @@ public:
   ///
   /// With `Exact`, the distance of a location inside a face takes a separate search.  Without a
   /// relative tolerance, this function takes one more computation for all locations.
+  /// \tparam Locations a vertex, surfel or location, or a range of these
+  /// \tparam OutputIterator a model of `OutputIterator` for `double`
+  /// \param locations a vertex, surfel or location, or a range of these
+  /// \param out receives the distances in the order of the locations
+  /// \returns the output iterator past the last distance
+  /// \throws Invalid_argument_error if a location is not on the surface
   template <typename Locations, typename OutputIterator>
   OutputIterator distances(const Locations& locations, OutputIterator out) const
   {
@@ -198,7 +231,7 @@ public:
     return m_domain.vertex(predecessor_index(m_domain.index(vertex)));
   }
   /// Returns the vertices or surfels that were reached, approximately in the order of their
-  /// distances.
+  /// distances.  Takes linear time in their number.
   std::vector<Vertex> reached() const
   {
     std::vector<Vertex> result;
@@ -209,7 +242,11 @@ public:
   }
   /// Returns the path from a vertex, surfel or location to its nearest source; empty if no source
   /// reaches it.  With `Exact`, the default on meshes, its length equals the distance.  With a
-  /// relative tolerance or another method, it is a locally shortest path.
+  /// relative tolerance or another method, it is a locally shortest path.  Takes time proportional
+  /// to the number of visited faces.
+  /// \tparam QueryLocation a vertex, a surfel or a location
+  /// \param from a vertex, a surfel or a location
+  /// \throws Invalid_argument_error if the location is not on the surface
   template <typename QueryLocation>
   Surface_path<Surface> path(const QueryLocation& from) const
   {
@@ -233,8 +270,10 @@ public:
   }
 
   /// Returns all shortest paths from a vertex or location to the sources, but at most 64 paths.
-  /// On the cut locus, there are two or more.
+  /// On the cut locus, there are two or more.  Takes time proportional to the number of visited
+  /// faces.
   ///
+  /// \tparam QueryLocation a vertex or a location
   /// \param from a vertex or a location
   /// \param np
   /// \cgalNamedParamsBegin
@@ -248,6 +287,7 @@ public:
   /// \cgalNamedParamsEnd
   /// \throws Unsupported_surface_error if the last computation did not use `Exact` without a
   ///         relative tolerance
+  /// \throws Invalid_argument_error if the location is not on the mesh
   template <typename QueryLocation, typename NamedParameters = internal::Default_parameters>
   std::vector<Surface_path<Surface>>
   shortest_paths(const QueryLocation& from, const NamedParameters& np = NamedParameters()) const
@@ -260,9 +300,13 @@ public:
       result.push_back(internal::surface_path(m_domain, path, distance));
     return result;
   }
-  /// Returns the departure of the shortest path to a vertex or location from its source.
+  /// Returns the departure of the shortest path to a vertex or location from its source.  Takes
+  /// time proportional to the number of visited faces.
+  /// \tparam QueryLocation a vertex or a location
+  /// \param to a vertex or a location
   /// \throws Unsupported_surface_error if the last computation did not use `Exact` without a
   ///         relative tolerance
+  /// \throws Invalid_argument_error if the location is not on the mesh
   template <typename QueryLocation>
   Geodesic_departure<Surface> departure(const QueryLocation& to) const
   {
@@ -282,6 +326,9 @@ public:
   }
 
   /// Writes the distance of each vertex or surfel to a property map.
+  /// \tparam DistanceMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+  ///         `double` as values
+  /// \param map receives a value for each vertex or surfel
   template <typename DistanceMap>
   void write_distances(DistanceMap map) const
   {
@@ -294,12 +341,18 @@ public:
         });
   }
   /// Writes `source_label()` of each vertex or surfel to a property map.
+  /// \tparam LabelMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+  ///         `std::size_t` as values
+  /// \param map receives a value for each vertex or surfel
   template <typename LabelMap>
   void write_source_labels(LabelMap map) const
   {
     m_domain.write([&](internal::Index i) { return label(i); }, map);
   }
   /// Writes `predecessor()` of each vertex or surfel to a property map.
+  /// \tparam PredecessorMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+  ///         vertices or surfels as values
+  /// \param map receives a value for each vertex or surfel
   template <typename PredecessorMap>
   void write_predecessors(PredecessorMap map) const
   {

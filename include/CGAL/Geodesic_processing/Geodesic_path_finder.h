@@ -58,18 +58,20 @@ public:
   ///
   /// \param surface a mesh or a cloud
   /// \param np the named parameters of `make_domain()`; on a cloud those of `Surfel_path_finder`
+  /// \throws as `make_domain()`; on a cloud as `Surfel_path_finder`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_path_finder(const Surface& surface,
                                 const NamedParameters& np = NamedParameters())
       : Geodesic_path_finder(Domain(surface, np), np)
   {}
-  /// Uses an existing domain, which is shared.
+  /// Uses an existing `domain`, which is shared.  The time and `np` are as for a surface.
+  /// \throws on a cloud as `Surfel_path_finder`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_path_finder(const Domain& domain, const NamedParameters& np = NamedParameters())
       : m_domain(domain), m_finder(finder(domain, np))
   {}
 
-  /// Returns the domain of the surface.
+  /// Returns the domain of the surface.  O(1).
   const Domain& domain() const { return m_domain; }
 
   /// Improves the lower bounds of the search on a mesh by the distances from `number` landmarks:
@@ -82,7 +84,10 @@ public:
   }
 
   /// Returns a shortest path from one vertex, surfel or location to another; empty if they are not
-  /// connected.  On a cloud, the path is locally shortest.
+  /// connected.  On a cloud, the path is locally shortest.  Takes time proportional to the number
+  /// of visited faces; on a cloud as `Surfel_path_finder::operator()`.
+  /// \tparam FromLocation, ToLocation a vertex, a surfel or a location
+  /// \param from, to vertices, surfels or locations
   /// \throws Invalid_argument_error if a location is invalid
   template <typename FromLocation, typename ToLocation>
   Path operator()(const FromLocation& from, const ToLocation& to)
@@ -99,6 +104,8 @@ public:
   /// On scans that are meshes, it takes a few milliseconds at most, and the path is on average a
   /// few hundredths of a percent longer than the shortest path.  On other meshes it can be a third
   /// longer.
+  /// \tparam FromLocation, ToLocation a vertex, a surfel or a location
+  /// \param from, to vertices, surfels or locations
   /// \throws Invalid_argument_error if a location is invalid
   template <typename FromLocation, typename ToLocation>
   Path locally_shortest_path(const FromLocation& from, const ToLocation& to)
@@ -112,8 +119,11 @@ public:
   }
   /// Shortens a polyline to a locally shortest path with the same ends; empty if consecutive
   /// locations are not connected.  Short paths of the search join consecutive locations.
+  /// Each takes the time of `locally_shortest_path()`.
   ///
+  /// \tparam Polyline a range of vertices, surfels or locations
   /// \param polyline a range of at least two vertices, surfels or locations
+  /// \returns the path
   /// \throws Invalid_argument_error if there are fewer than two, or if a location is invalid
   template <typename Polyline>
   Path shorten(const Polyline& polyline)

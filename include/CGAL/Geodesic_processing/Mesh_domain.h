@@ -61,6 +61,8 @@ public:
 
   /// constructs the domain by reading the mesh once. O(n).
   ///
+  /// \param mesh a triangle mesh
+  /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{vertex_point_map}
   ///     \cgalParamDescription{the positions of the vertices}
@@ -69,17 +71,21 @@ public:
   ///     \cgalParamDefault{the vertex point map of the mesh}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
+  /// \pre The mesh is valid: `CGAL::is_valid_polygon_mesh(mesh)`. The property map has a value for
+  ///      each vertex.
   /// \throws Unsupported_surface_error if a face is not a triangle, or if there are more than
   ///         2<SUP>31</SUP> halfedges
-  /// \throws Invalid_argument_error if a coordinate is not finite
+  /// \throws Invalid_argument_error if a coordinate is not finite, or if distances overflow
   template <typename NamedParameters = internal::Default_parameters>
   explicit Mesh_domain(const TriangleMesh& mesh, const NamedParameters& np = NamedParameters());
 
-  /// returns the number of vertices.
+  /// returns the number of vertices. O(1).
   std::size_t number_of_vertices() const { return m_data->vertices.size(); }
 
-  /// writes a value for each vertex to a property map.
+  /// writes a value for each vertex to a property map. O(n).
   ///
+  /// \tparam Values a function object
+  /// \tparam PropertyMap a model of `WritablePropertyMap` with vertices as keys
   /// \param values a function that maps an internal index, below `number_of_vertices()`, to a value
   /// \param map a writable property map of vertices
   template <typename Values, typename PropertyMap>
@@ -90,7 +96,7 @@ public:
       put(map, m_data->vertices[i], static_cast<Value>(values(i)));
   }
 
-  /// returns the mesh, which must not have been destroyed or moved.
+  /// returns the mesh, which must not have been destroyed or moved. O(1).
   const TriangleMesh& mesh() const { return *m_mesh; }
 
   /// \name Conversion between the Mesh and the Kernels

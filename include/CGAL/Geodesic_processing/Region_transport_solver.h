@@ -75,6 +75,8 @@ Transport_region transport_region(const Domain& domain, const Region& region,
 /// price it is zero if capacity is left. At full exits it is negative, by the amount that one
 /// more unit of capacity saves.
 ///
+/// Members that do not state their time take O(1) time.
+///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
 class Region_transport_solver : public Transport_solution<Surface>
@@ -85,8 +87,10 @@ public:
   using typename Base::Domain;
   using typename Base::Vertex;
 
-  /// embeds the curves of the region and factorizes as `Earth_movers_solver`.
+  /// embeds the curves of the region and factorizes as `Earth_movers_solver`, which takes most of
+  /// the time.
   ///
+  /// \tparam Region a vertex, a surfel, a location, a `Source`, or a range of one of these
   /// \param surface the surface, as for `geodesic_distances()`
   /// \param region a vertex or surfel, a location, a `Source`, or a range of one of these
   /// \param np named parameters of `Earth_movers_solver`, and the following
@@ -115,6 +119,9 @@ public:
                           const NamedParameters& np = NamedParameters())
       : Region_transport_solver(Domain(surface, np), region, np)
   {}
+  /// uses an existing `domain`, which is shared. The time, `Region`, `region` and `np` are as for a
+  /// surface.
+  /// \throws as for a surface, except for the exceptions of `make_domain()`
   template <typename Region, typename NamedParameters = internal::Default_parameters>
   Region_transport_solver(const Domain& domain, const Region& region,
                           const NamedParameters& np = NamedParameters())
@@ -126,12 +133,17 @@ public:
   ///
   /// \tparam Method as for `Earth_movers_solver::compute()`; only `Interior_point` if there are
   ///   limits
+  /// \tparam From a mass distribution as accepted by `Earth_movers_solver`
   /// \param from a mass distribution as accepted by `Earth_movers_solver`
   /// \param np named parameters of `Earth_movers_solver::compute()`
+  /// \pre Property maps have a value for each of their keys.
   /// \returns the cost with certified bounds
   /// \throws Invalid_argument_error as `Earth_movers_solver::compute()`
   /// \throws Invalid_argument_error if a component with mass has no source of the region, or if
   ///         the capacity of its sources is too small
+  /// \throws Cancelled if the callback returns false
+  ///
+  /// Takes 10 to 25 iterations of O(n<SUP>1.5</SUP>) each.
   template <typename Method = Interior_point, typename From,
             typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost compute(const From& from, const NamedParameters& np = NamedParameters())
@@ -151,19 +163,24 @@ public:
 #endif
 
   /// returns whether a path leads from a vertex or surfel to the region.
+  /// \param vertex a vertex or surfel of the surface
   bool is_reachable(Vertex vertex) const
   {
     return this->m_kernel->is_region_reachable()[this->m_domain.index(vertex)];
   }
 
   /// returns the mass that arrives at a vertex or surfel; zero outside of the region.
+  /// \param vertex a vertex or surfel of the surface
   /// \pre `compute()` was called
   double arrival(Vertex vertex) const
   {
     return this->m_result.arrivals[this->m_domain.index(vertex)];
   }
 
-  /// writes the mass that arrives at each vertex or surfel, a `double`, to a property map.
+  /// writes the mass that arrives at each vertex or surfel, a `double`, to a property map. O(n).
+  /// \tparam ArrivalMap a model of `WritablePropertyMap` with vertices or surfels as keys
+  /// \param map receives the arriving masses
+  /// \pre `compute()` was called
   template <typename ArrivalMap>
   void write_arrivals(ArrivalMap map) const
   {

@@ -26,6 +26,11 @@ namespace CGAL::Geodesic_processing {
 ///
 /// Consecutive locations of a polyline must be in a common face. A polyline is closed if its first
 /// location is repeated at the end.
+///
+/// Constructors copy or move their arguments and check nothing. Functions that take sources throw
+/// if a location or an offset is invalid. All members take O(1) time.
+///
+/// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
 class Source
 {
@@ -34,23 +39,31 @@ public:
   using Location = typename internal::Surface_traits<Surface>::Location;
   using Polyline = std::vector<Location>;
 
-  /// constructs a source. The offset is in the unit of the coordinates and can be negative. If no
-  /// label is given, the label is the position in the range of sources.
+  /// constructs a source at a vertex or surfel.
+  /// \param vertex a vertex or surfel
+  /// \param offset the distance of the source itself, in the unit of the coordinates; can be
+  ///        negative
+  /// \param label the label; if it is not given, the position in the range of sources
   Source(Vertex vertex, double offset = 0., std::optional<std::size_t> label = std::nullopt)
       : m_location(vertex), m_offset(offset), m_has_label(label.has_value()),
         m_label(label.value_or(0))
   {}
+  /// constructs a source at a `location`. `offset` and `label` are as for a vertex.
   Source(Location location, double offset = 0., std::optional<std::size_t> label = std::nullopt)
       : m_location(Polyline{std::move(location)}), m_offset(offset), m_has_label(label.has_value()),
         m_label(label.value_or(0))
   {}
+  /// constructs a source along a `polyline`. `offset` and `label` are as for a vertex.
   Source(Polyline polyline, double offset = 0., std::optional<std::size_t> label = std::nullopt)
       : m_location(std::move(polyline)), m_offset(offset), m_has_label(label.has_value()),
         m_label(label.value_or(0))
   {}
 
+  /// returns the vertex or the polyline. A single location is a polyline of one location.
   const std::variant<Vertex, Polyline>& location() const { return m_location; }
+  /// returns the offset, in the unit of the coordinates.
   double offset() const { return m_offset; }
+  /// returns the label, or `position` if no label was given.
   std::size_t label(std::size_t position) const { return m_has_label ? m_label : position; }
 
 private:

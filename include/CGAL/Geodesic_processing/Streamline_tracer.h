@@ -63,6 +63,9 @@ public:
 
   /// traces the streamline from a vertex, surfel or location to the target of the mass there. If
   /// there is no mass, the line follows the flow to its end.
+  /// \tparam Vertex_or_location a vertex, a surfel or a location
+  /// \param location a vertex, a surfel or a location
+  /// \returns the streamline
   /// \throws Invalid_argument_error if the location is not on the surface
   ///
   /// O(number of crossed faces or surfels).
@@ -75,6 +78,11 @@ public:
 
   /// writes `number` streamlines, each for an equal fraction of the mass that moves. On a mesh
   /// they begin at locations that are distributed over this mass.
+  /// Each takes O(number of crossed faces or surfels) time. If no mass moves, nothing is written.
+  /// \tparam OutputIterator a model of `OutputIterator` for `Streamline<Surface>`
+  /// \param number the number of streamlines
+  /// \param out receives the streamlines
+  /// \returns the output iterator past the last streamline
   template <typename OutputIterator>
   OutputIterator operator()(std::size_t number, OutputIterator out) const
   {
@@ -85,7 +93,10 @@ public:
   }
 
   /// returns the target of the mass at a location: the end of its streamline. The line is not
-  /// shortened.
+  /// shortened. Takes O(number of crossed faces or surfels) time.
+  /// \tparam Vertex_or_location a vertex, a surfel or a location
+  /// \param location a vertex, a surfel or a location
+  /// \throws Invalid_argument_error if the location is not on the surface
   template <typename Vertex_or_location>
   Location destination(const Vertex_or_location& location) const
   {
@@ -94,7 +105,11 @@ public:
   }
 
   /// writes an assignment of sources to targets: a pair of locations for each of `number` equal
-  /// fractions of the mass that moves.
+  /// fractions of the mass that moves. Each takes the time of `destination()`.
+  /// \tparam OutputIterator a model of `OutputIterator` for pairs of locations
+  /// \param number the number of pairs
+  /// \param out receives the pairs
+  /// \returns the output iterator past the last pair
   template <typename OutputIterator>
   OutputIterator assignment(std::size_t number, OutputIterator out) const
   {

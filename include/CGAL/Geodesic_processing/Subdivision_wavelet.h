@@ -62,7 +62,7 @@ struct Wavelet_details
 ///
 /// The object stores the descriptors of the mesh, but no reference to it.  The mesh can be
 /// destroyed.  If it is modified, the object becomes invalid.  The object takes about 250 bytes per
-/// vertex.
+/// vertex.  Members that do not state their time take O(1) time.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
@@ -75,6 +75,8 @@ public:
 
   /// Recovers the levels from the connectivity.  O(n) time.
   ///
+  /// \param mesh a triangle mesh
+  /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{number_of_levels}
   ///     \cgalParamDescription{the maximum number of levels above the coarsest one}
@@ -99,7 +101,8 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Subdivision_wavelet(const TriangleMesh& mesh,
                                const NamedParameters& np = NamedParameters());
-  /// Recovers the levels of the mesh of a domain.
+  /// Recovers the levels of the mesh of a `domain`.  The time and `np` are as for a mesh.
+  /// \throws Unsupported_surface_error as for a mesh
   template <typename NamedParameters = internal::Default_parameters>
   explicit Subdivision_wavelet(const Mesh_domain<TriangleMesh>& domain,
                                const NamedParameters& np = NamedParameters())
@@ -110,23 +113,28 @@ public:
   /// @{
   /// Returns the number of levels without the coarsest one, which is level 0.
   std::size_t number_of_levels() const { return subdivision().levels.size() - 1; }
-  /// Returns the number of vertices of a level.
+  /// Returns the number of vertices of a `level`.
+  /// \pre `level` is at most `number_of_levels()`.
   std::size_t number_of_vertices(std::size_t level) const
   {
     return subdivision().levels[level].number_of_vertices;
   }
   /// Returns the number of vertices of the finest level, which is the mesh.
   std::size_t number_of_vertices() const { return m_vertices.size(); }
-  /// Returns a vertex by its index in the order of the details: the vertices of a level precede the
-  /// vertices that finer levels add.
+  /// Returns vertex `i` in the order of the details: the vertices of a level precede the vertices
+  /// that finer levels add.
+  /// \pre `i` is less than `number_of_vertices()`.
   Vertex vertex(std::size_t i) const { return m_vertices[i]; }
   /// Returns two indices in that order: the endpoints of the edge whose midpoint is vertex `i`.
   /// For a vertex of the coarsest level, both are `i`.
+  /// \pre `i` is less than `number_of_vertices()`.
   std::array<std::size_t, 2> parents(std::size_t i) const
   {
     return {subdivision().parents[i][0], subdivision().parents[i][1]};
   }
-  /// Returns the triangles of a level, with three vertex indices in that order for each.
+  /// Returns the triangles of a `level`, with three vertex indices in that order for each.
+  /// Takes linear time in their number.
+  /// \pre `level` is at most `number_of_levels()`.
   std::vector<std::array<std::size_t, 3>> triangles(std::size_t level) const
   {
     std::vector<std::array<std::size_t, 3>> result;
@@ -140,8 +148,9 @@ public:
   /// Each transform takes O(n) time.
   /// @{
 
-  /// Computes the wavelet coefficients of vertex values.
+  /// Computes the wavelet coefficients of vertex values.  O(n) time.
   ///
+  /// \tparam VertexMap a model of `ReadablePropertyMap` with vertices as keys
   /// \param map a readable property map of vertices, whose values are numbers, arrays of numbers,
   ///        points or vectors
   /// \param np
@@ -154,14 +163,19 @@ public:
   ///     \cgalParamDefault{`false`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
+  /// \pre The property map has a value for each vertex, and all values have the same size.
+  /// \returns the coefficients
   /// \throws Invalid_argument_error if a value is not finite, or if `do_use_frames` is true and
   ///         values do not have three components
   template <typename VertexMap, typename NamedParameters = internal::Default_parameters>
   Wavelet_details analyze(VertexMap map, const NamedParameters& np = NamedParameters()) const;
 
   /// Computes vertex values from wavelet coefficients and writes them to a property map.  If the
-  /// coefficients are unmodified, these are the analyzed values up to round-off errors.
+  /// coefficients are unmodified, these are the analyzed values up to round-off errors.  O(n) time.
   ///
+  /// \tparam VertexMap a model of `WritablePropertyMap` with vertices as keys
+  /// \param details the result of `analyze()`, possibly modified
+  /// \param map receives a value for each vertex
   /// \throws Invalid_argument_error if the details do not match the mesh or the value type of `map`
   template <typename VertexMap>
   void synthesize(const Wavelet_details& details, VertexMap map) const;
@@ -169,6 +183,8 @@ public:
   /// Keeps the `number` vertices with the largest details and sets all other details to zero.  The
   /// size of a detail is its norm, weighted by its effect on the values of the finest level.  O(n)
   /// time.
+  /// \param details the result of `analyze()`, which is modified
+  /// \throws Invalid_argument_error if the details do not match the mesh
   void keep_largest(Wavelet_details& details, std::size_t number) const
   {
     check(details, details.number_of_channels);
@@ -181,7 +197,8 @@ public:
 
   /// Encodes the mesh and its details as a progressive stream of bytes, by embedded zerotrees
   /// \cgalCite{cgal:kss-pgc-00} and arithmetic coding.  `decode_wavelets()` can read every prefix
-  /// that contains the base mesh.  Longer prefixes decode to better approximations.
+  /// that contains the base mesh.  Longer prefixes decode to better approximations.  Takes O(n)
+  /// time for each bit plane.
   ///
   /// \param details the result of `analyze()`, possibly modified
   /// \param np
@@ -198,6 +215,7 @@ public:
   ///     \cgalParamDefault{unlimited}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
+  /// \returns the stream
   /// \throws Invalid_argument_error if the details do not match the mesh, are not finite, or have
   ///         more than 16 channels, or if the number of bit planes is not in the range 1 to 48
   template <typename NamedParameters = internal::Default_parameters>

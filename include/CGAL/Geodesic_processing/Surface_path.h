@@ -29,6 +29,7 @@ struct Surface_path
   /// `Exact` its length minus round-off errors, otherwise the straight distance in space
   double lower = 0.;
 
+  /// Returns whether there is no path.  O(1).
   bool empty() const { return locations.empty(); }
 };
 

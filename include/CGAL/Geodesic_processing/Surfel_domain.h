@@ -44,6 +44,8 @@ public:
 
   /// constructs the domain by reading the cloud once. O(n log n).
   ///
+  /// \param surfels the cloud
+  /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{point_map}
   ///     \cgalParamDescription{the points of the elements of the range}
@@ -69,17 +71,21 @@ public:
   ///     \cgalParamDefault{1}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Unsupported_surface_error if there are no normals
+  /// \pre Property maps have a value for each element of the range.
+  /// \throws Unsupported_surface_error if there are no normals, or if there are more than
+  ///         2<SUP>25</SUP> surfels
   /// \throws Invalid_argument_error if a coordinate or a radius is not finite, a radius is
   ///         negative, or a normal has no direction
   template <typename NamedParameters = internal::Default_parameters>
   explicit Surfel_domain(const SurfelRange& surfels, const NamedParameters& np = NamedParameters());
 
-  /// returns the number of surfels.
+  /// returns the number of surfels. O(1).
   std::size_t number_of_vertices() const { return m_data->descriptors.size(); }
 
-  /// writes a value for each surfel to a property map.
+  /// writes a value for each surfel to a property map. O(n).
   ///
+  /// \tparam Values a function object
+  /// \tparam PropertyMap a model of `WritablePropertyMap` with surfels as keys
   /// \param values a function that maps an internal index, below `number_of_vertices()`, to a value
   /// \param map a writable property map of surfels
   template <typename Values, typename PropertyMap>

@@ -62,6 +62,8 @@ using Geodesic_path = std::conditional_t<internal::Is_cloud<Surface>::value, Sur
 ///
 /// Copies share the cloud and the graph, and different copies can search concurrently.
 ///
+/// Members that do not state their time take O(1) time.
+///
 /// \tparam SurfelRange a model of `SurfelRange`
 template <typename SurfelRange>
 class Surfel_path_finder
@@ -143,14 +145,19 @@ public:
   ///     \cgalParamDefault{1}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws as `Surfel_domain`, and Invalid_argument_error if a weight is negative
+  /// \pre Property maps have a value for each element of the range.
+  /// \throws as `Surfel_domain`
+  /// \throws Invalid_argument_error if a weight is negative or not finite, or if the number of
+  ///         control points is zero
   template <typename NamedParameters = internal::Default_parameters>
   explicit Surfel_path_finder(const SurfelRange& surfels,
                               const NamedParameters& np = NamedParameters())
       : Surfel_path_finder(internal::Surfel_descriptors<SurfelRange>(surfels),
                            internal::read_surfels(surfels, np), np)
   {}
-  /// Uses the surfels of a domain.  The named parameters are the same, except for property maps.
+  /// Uses the surfels of a `domain`.  The time and `np` are as for a cloud, except for property
+  /// maps.
+  /// \throws Invalid_argument_error as for a cloud
   template <typename NamedParameters = internal::Default_parameters>
   explicit Surfel_path_finder(const Surfel_domain<SurfelRange>& domain,
                               const NamedParameters& np = NamedParameters())
@@ -163,6 +170,8 @@ public:
   /// Returns the number of connected components of the graph.  No path joins different components.
   std::size_t number_of_components() const { return cloud().number_of_components; }
   /// Returns the component of a surfel, a number smaller than `number_of_components()`.
+  /// \param surfel a surfel of the cloud
+  /// \throws Invalid_argument_error if the surfel does not belong to the cloud
   std::size_t component(Vertex surfel) const
   {
     return cloud().component[tangent_location(surfel).vertex];
@@ -171,6 +180,9 @@ public:
   /// Returns the number of edges of the graph; each is counted once.
   std::size_t number_of_edges() const { return cloud().graph.target.size() / 2; }
   /// Calls `f(surfel, surfel)` with the two endpoints of each edge of the graph, once per edge.
+  /// Takes linear time in the number of edges.
+  /// \tparam Function a function object
+  /// \param f a function of two surfels
   template <typename Function>
   void for_each_edge(Function f) const;
 
@@ -181,17 +193,23 @@ public:
   /// \name Surfels after Noise Removal
   /// @{
   /// Returns the position of a surfel.
+  /// \param surfel a surfel of the cloud
+  /// \throws Invalid_argument_error if the surfel does not belong to the cloud
   Point_3 point(Vertex surfel) const
   {
     return outer_point(cloud().point[tangent_location(surfel).vertex]);
   }
   /// Returns the unit normal of a surfel.
+  /// \param surfel a surfel of the cloud
+  /// \throws Invalid_argument_error if the surfel does not belong to the cloud
   typename Traits::Vector_3 normal(Vertex surfel) const
   {
     const auto& n = cloud().normal[tangent_location(surfel).vertex];
     return {n[0], n[1], n[2]};
   }
   /// Returns the radius of a surfel, in the unit of the coordinates.
+  /// \param surfel a surfel of the cloud
+  /// \throws Invalid_argument_error if the surfel does not belong to the cloud
   double radius(Vertex surfel) const
   {
     return cloud().frame.scale * cloud().radius[tangent_location(surfel).vertex];
@@ -199,6 +217,8 @@ public:
   /// @}
 
   /// Returns the location nearest to a point in space.  O(log n) time on most clouds.
+  /// \tparam Point a `Point_3` of any kernel
+  /// \param point the point
   /// \throws Invalid_argument_error if a coordinate is not finite or the cloud is empty
   template <typename Point>
   Location locate(const Point& point) const
@@ -208,7 +228,11 @@ public:
         {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())}));
   }
 
-  /// Returns a path from one surfel or location to another; empty if they are not connected.
+  /// Returns a path from one surfel or location to another; empty if they are not connected.  The
+  /// search takes O(m log m) time for m visited surfels.  The minimization takes time proportional
+  /// to the number of control points in each iteration.
+  /// \tparam FromLocation, ToLocation a surfel or a location
+  /// \param from, to surfels or locations
   /// \throws Invalid_argument_error if a surfel does not belong to the cloud, or if an offset is
   ///         not finite
   template <typename FromLocation, typename ToLocation>
@@ -218,8 +242,11 @@ public:
   }
   /// Shortens a polyline to a geodesic with the same ends; empty if consecutive locations are not
   /// connected.  Short graph paths join them, which together are the initial path.
+  /// Takes time as `operator()` for each pair of consecutive locations.
   ///
+  /// \tparam Polyline a range of surfels or of locations
   /// \param polyline a range of at least two surfels or of at least two locations
+  /// \returns the path
   /// \throws Invalid_argument_error if there are fewer than two, and as `operator()`
   template <typename Polyline>
   Surfel_path<SurfelRange> shorten(const Polyline& polyline);

@@ -44,6 +44,9 @@ namespace CGAL::Geodesic_processing {
 /// Speeds, metrics, boundaries and clouds are treated as in `Earth_movers_solver`. Copies share the
 /// factorizations, and can compute concurrently.
 ///
+/// Members that write a property map take O(n) time. Other members that do not state their time
+/// take O(1) time.
+///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
 class Transport_barycenter_solver
@@ -52,7 +55,7 @@ public:
   using Domain = internal::Domain_of<Surface>;
   using Vertex = typename Domain::Vertex;
 
-  /// refines the surface and computes two factorizations.
+  /// refines the surface and computes two factorizations, each in about O(n<SUP>1.5</SUP>) time.
   ///
   /// \param surface the surface, as for `geodesic_distances()`
   /// \param np named parameters of `Earth_movers_solver`
@@ -62,6 +65,8 @@ public:
                                        const NamedParameters& np = NamedParameters())
       : Transport_barycenter_solver(Domain(surface, np), np)
   {}
+  /// uses an existing `domain`, which is shared. The time and `np` are as for a surface.
+  /// \throws as for a surface, except for the exceptions of `make_domain()`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_barycenter_solver(const Domain& domain,
                                        const NamedParameters& np = NamedParameters())
@@ -70,10 +75,12 @@ public:
                               internal::read_metric(domain, np)))
   {}
 
+  /// returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
   /// computes the barycenter of mass distributions. This replaces the result of the last call.
   ///
+  /// \tparam Masses a range of mass distributions
   /// \param masses a range of mass distributions as listed above
   /// \param np
   /// \cgalNamedParamsBegin
@@ -111,6 +118,7 @@ public:
   ///     \cgalParamDefault{no callback}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
+  /// \pre Property maps have a value for each of their keys.
   /// \returns the cost of the barycenter with certified bounds
   /// \throws Invalid_argument_error if there is no distribution, if a mass is negative or not
   ///         finite, or if a location is not on the surface
@@ -118,7 +126,9 @@ public:
   ///         or on a component
   /// \throws Invalid_argument_error if the number of weights is not the number of distributions,
   ///         if a weight is negative or not finite, or if all weights are zero
-  /// \throws Invalid_argument_error if the tolerance is not positive
+  /// \throws Invalid_argument_error if the tolerance is not positive, or if `do_start_from_last` is
+  ///         set and the number of distributions differs from that of the last call
+  /// \throws Cancelled if the callback returns false
   ///
   /// An iteration is O(k n log n) for k distributions. A gap of 1 percent takes some hundred
   /// iterations.
@@ -142,11 +152,15 @@ public:
   }
 
   /// returns the mass of the barycenter at a vertex or surfel.
+  /// \param vertex a vertex or surfel of the surface
   /// \pre `compute()` was called
   double mass(Vertex vertex) const { return m_result.masses[m_domain.index(vertex)]; }
 
   /// writes the mass of the barycenter at each vertex or surfel, a `double`. Masses at vertices
   /// that were inserted by refinement are distributed to the original ones.
+  /// \tparam MassMap a model of `WritablePropertyMap` with vertices or surfels as keys
+  /// \param map receives the masses
+  /// \pre `compute()` was called
   template <typename MassMap>
   void write_masses(MassMap map) const
   {
@@ -156,6 +170,10 @@ public:
   /// writes the density of the barycenter at each vertex or surfel. This is the mass divided by a
   /// third of the area of the incident triangles outside of obstacles. If there is no mass, the
   /// density is zero. If there is mass but no area, it is infinite.
+  /// \tparam DensityMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+  ///         `double` as values
+  /// \param map receives the densities
+  /// \pre `compute()` was called
   template <typename DensityMap>
   void write_density(DensityMap map) const
   {
@@ -166,6 +184,8 @@ public:
 
   /// writes the flow from the barycenter to the given distribution at `position`, as
   /// `Transport_solution::write_flow()`.
+  /// \tparam FlowMap as for `Transport_solution::write_flow()`
+  /// \param map receives the flow
   /// \throws Invalid_argument_error if `position` is not less than the number of distributions
   template <typename FlowMap>
   void write_flow(std::size_t position, FlowMap map) const

@@ -59,7 +59,7 @@ enum class Transport_flow
 /// to the corners by barycentric coordinates. Distances between connected components are infinite.
 ///
 /// Construction takes about as long as 2.5 `k` solutions of Poisson's equation. Copies share all
-/// data, and can be queried concurrently.
+/// data, and can be queried concurrently. Members that do not state their time take O(1) time.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -90,6 +90,8 @@ public:
                             const NamedParameters& np = NamedParameters())
       : Transport_metric(Domain(surface, np), k, np)
   {}
+  /// uses an existing `domain`, which is shared. `k`, `np` and the time are as for a surface.
+  /// \throws Unsupported_surface_error if no triangle has positive area
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_metric(const Domain& domain, std::size_t k = 0,
                             const NamedParameters& np = NamedParameters())
@@ -103,6 +105,7 @@ public:
                 : internal::Particular_field::raviart_thomas))
   {}
 
+  /// returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
   /// returns the number of eigenfunctions: `k`, rounded up to the next gap between eigenvalues.
   std::size_t basis_size() const { return m_transport->basis_size(); }
@@ -118,6 +121,7 @@ public:
   /// A `balanced` flow transports masses that were spread over triangles. The residual is then
   /// computed for the spread masses.
   ///
+  /// \tparam From, To mass distributions, as for `Earth_movers_solver`
   /// \param from, to mass distributions, as for `Earth_movers_solver`
   /// \param np
   /// \cgalNamedParamsBegin
@@ -154,6 +158,11 @@ public:
   /// \throws Invalid_argument_error if a location is not on the surface, a mass is not finite, the
   ///         total masses differ, a total mass cannot be normalized, or the tolerance is not
   ///         positive
+  /// \throws Cancelled if the callback returns false
+  /// \pre Property maps have a value for each of their keys.
+  /// \returns the cost with bounds; infinite if the masses differ on a component
+  ///
+  /// Takes one solution of Poisson's equation, and O(`k` n) time for each iteration.
   template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost cost(const From& from, const To& to,
                          const NamedParameters& np = NamedParameters()) const
@@ -176,7 +185,9 @@ public:
                                 internal::parameter(np, internal_np::flow_map, 0));
     return Earth_movers_cost(found);
   }
-  /// returns the value of `cost()` between two locations or general mass distributions.
+  /// returns the value of `cost()` between two locations or general mass distributions, and takes
+  /// the same time. `From`, `To`, `from`, `to` and `np` are as for `cost()`.
+  /// \throws as `cost()`
   template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
   double distance(const From& from, const To& to,
                   const NamedParameters& np = NamedParameters()) const
@@ -192,12 +203,18 @@ public:
   ///
   /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`. The
   ///         results are identical bit by bit.
+  /// \tparam Vertex_or_location a vertex, a surfel or a location
+  /// \tparam DistanceMap a model of `WritablePropertyMap` with vertices or surfels as keys and
+  ///         `double` as values
   /// \param from a vertex, surfel or location
   /// \param distance_map receives a `double` for each vertex or surfel; infinity on other
   ///        components
   /// \param np `number_of_threads` and `callback` as for `geodesic_distance_matrix()`
   /// \throws Invalid_argument_error if the location is not on the surface
   /// \throws Cancelled if the callback returns false
+  ///
+  /// Takes one solution of Poisson's equation for each vertex or surfel, and if `k` > 0 another
+  /// O(`k` n) time for each.
   template <typename Concurrency_tag = Sequential_tag, typename Vertex_or_location,
             typename DistanceMap, typename NamedParameters = internal::Default_parameters>
   void write_distances(const Vertex_or_location& from, DistanceMap distance_map,
@@ -211,9 +228,11 @@ public:
 
   /// returns the distances of all pairs of locations, within the tolerance if `k` > 0.
   ///
-  /// If `k` = 0, this takes 16 bytes per vertex and location.
+  /// If `k` = 0, this takes 16 bytes per vertex and location. Otherwise it takes the time of a
+  /// `cost()` for each pair.
   ///
   /// \tparam Concurrency_tag as for `write_distances()`
+  /// \tparam Locations a vertex, surfel or location, or a range of these
   /// \param locations a range of vertices, surfels or locations
   /// \param np `tolerance` as for `cost()`, and the named parameters of `write_distances()`
   /// \returns a symmetric matrix

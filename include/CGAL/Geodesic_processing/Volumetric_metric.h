@@ -52,17 +52,22 @@ public:
   ///        `Earth_movers_solver`
   /// \throws as `Earth_movers_solver`
   /// \throws Unsupported_surface_error if the mesh has a boundary or several components
+  ///
+  /// Takes two factorizations, each about O(n<SUP>1.5</SUP>).
   template <typename NamedParameters = internal::Default_parameters>
   explicit Volumetric_metric(const TriangleMesh& mesh,
                              const NamedParameters& np = NamedParameters())
       : Volumetric_metric(Domain(mesh, np), np)
   {}
+  /// uses an existing `domain`, which is shared. The time and `np` are as for a mesh.
+  /// \throws as for a mesh, except for the exceptions of `make_domain()`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Volumetric_metric(const Domain& domain, const NamedParameters& np = NamedParameters())
       : m_domain(domain), m_distances(std::make_shared<const internal::Volumetric_distances>(
                               domain.triangles(), internal::number_of_refinements(domain, np)))
   {}
 
+  /// returns the domain of the mesh. O(1).
   const Domain& domain() const { return m_domain; }
 
   /// computes the distance between two points, with bounds.
@@ -70,6 +75,7 @@ public:
   /// The residual is relative to the mass that moves: half the sum of the absolute differences of
   /// the coordinates.
   ///
+  /// \tparam From, To a `Point_3` of any kernel
   /// \param from, to `Point_3` of any kernel
   /// \param np
   /// \cgalNamedParamsBegin
@@ -112,6 +118,8 @@ public:
   /// \cgalNamedParamsEnd
   /// \throws as `mean_value_coordinates()` for a point
   /// \throws Invalid_argument_error if the tolerance is not positive
+  /// \throws Cancelled if the callback returns false
+  /// \returns the distance with bounds
   ///
   /// 5 to 20 iterations of O(n<SUP>1.5</SUP>) each.
   template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
@@ -123,7 +131,9 @@ public:
     internal::write_transport_maps(m_domain, found, np);
     return found;
   }
-  /// returns the value of `cost()`.
+  /// returns the value of `cost()`, and takes the same time. `From`, `To`, `from`, `to` and `np`
+  /// are as for `cost()`.
+  /// \throws as `cost()`
   template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
   double distance(const From& from, const To& to,
                   const NamedParameters& np = NamedParameters()) const
@@ -139,6 +149,8 @@ public:
   ///
   /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`. The
   ///         results are identical bit by bit.
+  /// \tparam From a `Point_3` of any kernel
+  /// \tparam Points a range of points as `from`
   /// \param from a `Point_3` of any kernel
   /// \param to a range of points as `from`
   /// \param np
@@ -197,8 +209,11 @@ public:
   /// computes a path by gradient descent of the distance to its end. The path does not cross the
   /// surface. In a bent cavity it follows the center line, and it is not the shortest path.
   ///
-  /// No step is longer than a fraction of the distance to the surface.
+  /// No step is longer than a fraction of the distance to the surface. Each step takes the time of
+  /// a `cost()`.
   ///
+  /// \tparam From, To a `Point_3` of any kernel
+  /// \tparam OutputIterator a model of `OutputIterator` for `Point_3`
   /// \param from, to `Point_3` of any kernel, both inside or both outside
   /// \param path an output iterator that receives `Point_3`, from the first to the last
   /// \param np

@@ -53,6 +53,7 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDefault{white and transparent}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \pre The property map has a value for each halfedge of a face.
 /// \returns the colors of `size * size` texels, in rows from bottom to top
 /// \throws Unsupported_surface_error if a face is not a triangle
 /// \throws Invalid_argument_error if the size is zero or too large

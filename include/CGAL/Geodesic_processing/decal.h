@@ -90,27 +90,34 @@ class Decal_placer
 public:
   using Domain = typename Map::Domain;
 
-  /// Precomputes the domain of the surface; `np` takes the named parameters of `make_domain()`.
+  /// Precomputes the domain of the surface, which takes most of the time.
+  ///
+  /// \param surface the surface
+  /// \param np the named parameters of `make_domain()`
+  /// \throws as `make_domain()`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Decal_placer(const Surface& surface, const NamedParameters& np = NamedParameters())
       : m_map(surface, np)
   {}
-  /// Uses an existing domain, which is shared.
+  /// Uses an existing `domain`, which is shared.  O(n) time.
   explicit Decal_placer(const Domain& domain) : m_map(domain) {}
 #ifndef DOXYGEN_RUNNING
   Decal_placer(const Domain& domain, const internal::Log_kind& kind) : m_map(domain, kind) {}
 #endif
 
-  /// Returns the domain of the surface.
+  /// Returns the domain of the surface.  O(1).
   const Domain& domain() const { return m_map.domain(); }
 
-  /// Computes the placement of an image with a given center.
+  /// Computes the placement of an image with a given center.  Takes the time of
+  /// `Logarithmic_map::compute()` up to the corners of the image, a few times on a mesh.
   ///
+  /// \tparam Place a vertex, a surfel or a location
   /// \param center a vertex, a surfel or a location
   /// \param width the width of the image, in the unit of the surface
   /// \param height the height of the image, in the unit of the surface
   /// \param np the named parameters of `Logarithmic_map::compute()` except `maximum_distance`;
   ///        `up_direction` is the upward direction of the image
+  /// \returns the placement
   /// \throws Invalid_argument_error as `Logarithmic_map::compute()`, and if the width or the height
   ///         is not positive and finite
   template <typename Place, typename NamedParameters = internal::Default_parameters>
@@ -209,6 +216,7 @@ inline Vec2 interpolate(const std::array<Vec2, 3>& corners,
 /// \param image a function with the signature of `Decal_image`
 /// \param color_map a read-write property map of colors, which are updated.  Its value type is
 ///        `CGAL::IO::Color`, `Decal_color` or `std::array<double, 3>`
+/// \pre The property map has a value for each vertex or surfel that the decal covers.
 ///
 /// O(m) for m vertices or surfels of the decal.
 template <typename Surface, typename Image, typename ColorMap>

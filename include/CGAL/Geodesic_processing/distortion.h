@@ -25,7 +25,7 @@ namespace CGAL::Geodesic_processing {
 /// The distortion of one face by a map of a mesh to the plane.
 ///
 /// It is described by the singular values of the Jacobian of the inverse map, from the plane to the
-/// face.
+/// face.  All members take O(1) time.
 struct Face_distortion
 {
   double sigma_1 = 1.,
@@ -55,6 +55,7 @@ struct Face_distortion
   }
   /// Returns a measure of angles and areas: \f$ (\sigma_1/\sigma_2 + \sigma_2/\sigma_1)
   /// (\sigma_1 \sigma_2 + 1/(\sigma_1 \sigma_2))^\theta \f$ (Degener, Meseth and Klein 2003).
+  /// \param theta the exponent of the distortion of areas
   double combined(double theta) const
   {
     const double area = sigma_1 * sigma_2;
@@ -160,6 +161,8 @@ Face_distortion distortion_of_triangle(const Domain& domain, Index triangle, con
 /// \param uv_map the UV map: a property map of vertices or of halfedges. For a halfedge it gives
 ///        the image of the corner that the halfedge points to. Values are `Point_2` or arrays.
 /// \param np `vertex_point_map`; ignored for a domain
+/// \pre `face` belongs to `mesh` and is a triangle. Property maps have a value for each of its
+///      corners.
 /// \returns the singular values of the map, the area of the face, and whether its image is inverted
 ///
 /// O(1).
@@ -208,7 +211,7 @@ struct Surface_distortion
   std::size_t number_of_triangles = 0;
   std::size_t number_of_folded_triangles = 0;
 
-  /// Returns the mean of the measure, weighted by area.
+  /// Returns the mean of the measure, weighted by area.  O(1).
   double mean() const { return integral / area; }
 };
 
@@ -228,6 +231,7 @@ struct Surface_distortion
 ///        triangle is ignored. These are the triangles outside of the domain of a logarithmic map.
 /// \param measure a function of a `Face_distortion`, such as `&Face_distortion::conformal`
 /// \param np the named parameters of `make_domain()`
+/// \pre The UV map has a value for each corner of each face.
 /// \returns the integral, the maximum and the numbers of triangles
 /// \throws as `make_domain()`
 ///
@@ -296,6 +300,7 @@ struct Flattening_distortion
 /// \param surface as for `geodesic_distances()`
 /// \param uv_map as for `surface_distortion()`
 /// \param np the named parameters of `make_domain()`
+/// \pre The UV map has a value for each corner of each face.
 /// \returns the distortion in several measures
 /// \throws as `make_domain()`
 ///

@@ -68,6 +68,7 @@ namespace CGAL::Geodesic_processing {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \pre The point map has a value for each element of the range.
 /// \returns the number of outliers. They are removed from a `Point_set_3`; in a range, their radius
 ///          is 0.
 /// \throws Invalid_argument_error if a coordinate is not finite, the number of neighbors is below

@@ -172,6 +172,8 @@ OutputIterator farthest_point_sampling(const Surface& surface, std::size_t numbe
 /// \param np as for `farthest_point_sampling()`
 /// \returns the output iterator past the last sample
 /// \throws as `farthest_point_sampling()`
+///
+/// Takes the time of `farthest_point_sampling()`.
 template <typename Method = Euclidean_front, typename Surface, typename OutputIterator,
           typename NamedParameters = internal::Default_parameters>
 OutputIterator farthest_vertex_sampling(const Surface& surface, std::size_t number,

@@ -64,6 +64,8 @@ double fuzzy_width(double distance, const NamedParameters& np)
 /// \throws Invalid_argument_error if no path leads from `p` to `q`, or if the width is not
 ///         positive. The default width is zero if `p` and `q` are the same location.
 /// \throws as `Earth_movers_solver` and its `compute()`
+///
+/// Takes the time of `earth_movers_distance()`, and two distance computations.
 template <typename Method = Interior_point, typename Surface, typename P, typename Q,
           typename LikelihoodMap, typename NamedParameters = internal::Default_parameters>
 Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,

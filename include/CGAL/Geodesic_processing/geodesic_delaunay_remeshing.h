@@ -181,6 +181,7 @@ struct Remeshing_result
 ///     \cgalParamDefault{no callback}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \pre Property maps have a value for each of their keys.
 /// \returns a summary of the result
 /// \throws Invalid_argument_error if a location or a speed is not usable, or if a nonzero number is
 ///         too small and `Too_few_samples::are_wrong` is set. The output is then unchanged

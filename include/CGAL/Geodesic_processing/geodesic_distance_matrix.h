@@ -112,6 +112,8 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///          the source does not reach the target.  With approximate methods, it is symmetric only
 ///          up to their errors.
 /// \throws as `Geodesic_distance_solver::compute()`
+///
+/// Takes one distance computation for each source.
 template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag, typename Surface,
           typename Sources, typename NamedParameters = internal::Default_parameters>
 Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& sources,
@@ -142,9 +144,7 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 ///         occurs twice, or if there are more than 2<SUP>31</SUP> pairs
 /// \throws Cancelled if the callback returns false
 ///
-/// Time and memory are proportional to the number of vertices or surfels that the fronts visit.
-///
-/// Takes time proportional to the number of vertices that the fronts visit, for all rows together.
+/// Takes time and memory proportional to the number of vertices or surfels that the fronts visit.
 template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag, typename Surface,
           typename Vertices, typename NamedParameters = internal::Default_parameters>
 Eigen::SparseMatrix<double, Eigen::RowMajor>

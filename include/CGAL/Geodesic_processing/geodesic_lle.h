@@ -83,8 +83,8 @@ namespace CGAL::Geodesic_processing {
 /// \throws Cancelled if the callback returns false
 ///
 /// The front of each base point ends at the neighbors of its neighbors. With ten neighbors, all
-/// fronts together visit each vertex fewer than twenty times, independently of the number of base
-/// points.
+/// fronts together visit each vertex fewer than twenty times. They take O(n log n) time,
+/// independently of the number of base points.
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
 std::vector<typename internal::Surface_traits<Surface_of<Surface>>::Vertex>

@@ -37,6 +37,7 @@ namespace CGAL::Geodesic_processing {
 /// \param field a readable map of a `Vector_3` for each face; the normal component is ignored
 /// \param gradient_map, rotation_map, harmonic_map receive a `Vector_3` for each face
 /// \param np named parameters of `make_domain()`
+/// \pre The map `field` has a value for each face.
 /// \throws Invalid_argument_error if a vector is not finite
 ///
 /// Takes two factorizations.
@@ -89,6 +90,7 @@ void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map
 /// \param field a readable map of a `Vector_3` for each surfel; the normal component is ignored
 /// \param gradient_map, remainder_map receive a `Vector_3` for each surfel, in its tangent plane
 /// \param np named parameters of `make_domain()`
+/// \pre The map `field` has a value for each surfel.
 /// \throws Invalid_argument_error if a vector is not finite
 ///
 /// Takes one factorization.

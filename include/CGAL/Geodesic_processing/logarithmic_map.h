@@ -54,6 +54,7 @@ struct Tangent_frame
   Point_3 origin = ORIGIN;
   Vector_3 u = NULL_VECTOR, v = NULL_VECTOR; ///< unit vectors along the axes of the map
 
+  /// Returns the unit normal, the cross product of `u` and `v`.  O(1).
   Vector_3 normal() const { return CGAL::cross_product(u, v); }
 };
 
@@ -86,7 +87,8 @@ struct Log_tag<Discrete_exponential>
 ///
 /// The normal coordinates of a vertex or surfel are the tangent vector at the base point whose
 /// geodesic ends there.  Their norm is the geodesic distance.  The cost of a computation depends on
-/// the number of vertices or surfels that it reaches.
+/// the number of vertices or surfels that it reaches.  Members that do not state their time take
+/// O(1) time.
 ///
 /// \tparam Surface as for `geodesic_distances()`, but not a domain
 /// \tparam Method `Gradient<Distance_method>`, `Discrete_exponential`, or on a mesh `Exact`
@@ -104,7 +106,11 @@ public:
   using Vector_3 = typename Domain::Vector_3;
   using Vector = std::array<double, 2>;
 
-  /// Precomputes the domain of the surface; `np` takes the named parameters of `make_domain()`.
+  /// Precomputes the domain of the surface in the time of `make_domain()`, and uses it.
+  ///
+  /// \param surface the surface
+  /// \param np the named parameters of `make_domain()`
+  /// \throws as `make_domain()`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Logarithmic_map(const Surface& surface, const NamedParameters& np = NamedParameters())
       : Logarithmic_map(Domain(surface, np))
@@ -112,7 +118,7 @@ public:
     m_exponential = internal::Exponential_tracer<Domain>(
         internal::parameter(np, internal_np::number_of_threads, 1u));
   }
-  /// Uses an existing domain, which is shared.
+  /// Uses an existing `domain`, which is shared.  O(n) time.
   explicit Logarithmic_map(const Domain& domain)
       : Logarithmic_map(domain, internal::Log_tag<Method>::kind)
   {}
@@ -128,6 +134,7 @@ public:
 
   /// Computes the map around a base point.  The result replaces that of the last call.
   ///
+  /// \tparam Place a vertex, a surfel or a location
   /// \param base a vertex, a surfel or a location
   /// \param np
   /// \cgalNamedParamsBegin
@@ -160,6 +167,11 @@ public:
   /// \throws Invalid_argument_error if the base point is an isolated vertex, a length is negative
   ///         or not a number, the stencil size is less than three, or the direction is normal to
   ///         the surface
+  /// \throws Invalid_argument_error if the base point does not belong to the surface
+  ///
+  /// `Gradient` takes the time of a distance computation from the base point and from each location
+  /// of the stencil.  `Exact` takes the time of one exact computation.  `Discrete_exponential`
+  /// takes O(m log m) time for m reached vertices or surfels.
   template <typename Place, typename NamedParameters = internal::Default_parameters>
   void compute(const Place& base, const NamedParameters& np = NamedParameters());
 
@@ -168,9 +180,11 @@ public:
 
   /// Returns the tangent plane in space.  If the one-ring of the base vertex is not planar, the
   /// axes are those that agree best with the incident edges.
+  /// \pre `compute()` was called
   Tangent_frame<Surface> frame() const;
 
   /// Returns the vertices or surfels inside the map, approximately in the order of their distances.
+  /// Takes linear time in their number.
   std::vector<Vertex> reached() const
   {
     std::vector<Vertex> result;
@@ -179,8 +193,10 @@ public:
     return result;
   }
   /// Returns whether a vertex or surfel is inside the map.
+  /// \param vertex a vertex or surfel of the surface
   bool is_inside(Vertex vertex) const { return std::isfinite(inner(vertex)[0]); }
   /// Returns the tangent vector of a vertex or surfel; NaN if it is outside the map.
+  /// \param vertex a vertex or surfel of the surface
   Vector operator()(Vertex vertex) const
   {
     return {scale() * inner(vertex)[0], scale() * inner(vertex)[1]};
@@ -192,7 +208,10 @@ public:
   std::size_t number_of_cut_faces() const { return m_defects.cut_triangles.size(); }
   /// Returns the number of inverted faces among the faces that are not cut.
   std::size_t number_of_folded_faces() const { return m_defects.number_of_folded; }
-  /// Calls `f(face)` for each face that is cut.  It requires a mesh.
+  /// Calls `f(face)` for each face that is cut.  It requires a mesh.  Takes linear time in the
+  /// number of cut faces.
+  /// \tparam Function a function object
+  /// \param f a function of a face descriptor
   template <typename Function>
   void for_each_cut_face(Function f) const
   {
@@ -201,7 +220,9 @@ public:
   }
 
   /// Writes the tangent vectors to a property map.  The values of `uv_map` are constructed from two
-  /// numbers, which are NaN outside the map.
+  /// numbers, which are NaN outside the map.  O(n).
+  /// \tparam UVMap a model of `WritablePropertyMap` with vertices or surfels as keys and `Point_2`
+  ///         or arrays of two numbers as values
   template <typename UVMap>
   void write(UVMap uv_map) const
   {
@@ -218,9 +239,12 @@ public:
   /// Returns the exponential map of a tangent vector: the endpoint of the straightest geodesic in
   /// its direction.  If the geodesic meets the boundary, it ends there.
   ///
-  /// On a cloud, the geodesic is traced on a surface that is fitted to the surfels, see
-  /// `straightest_geodesic()`.  The first call fits the surface, in O(n log n) time.  Later calls
-  /// and calls of copies reuse it, and different copies can be used concurrently.
+  /// On a mesh, it takes O(number of crossed faces) time.  On a cloud, the geodesic is traced on a
+  /// surface that is fitted to the surfels, see `straightest_geodesic()`.  The first call fits the
+  /// surface, in O(n log n) time.  Later calls and calls of copies reuse it, and different copies
+  /// can be used concurrently.
+  /// \param vector the tangent vector, in the axes of `frame()`
+  /// \pre `compute()` was called
   /// \throws Invalid_argument_error if the vector is not finite
   Location exponential(const Vector& vector) const
   {

@@ -51,6 +51,7 @@ internal::Domain_of<Surface> make_domain(const Surface& surface,
 }
 
 /// \ingroup PkgGeodesicProcessingDomain
+///
 /// returns the domain itself, so that functions accept both. O(1).
 ///
 /// \tparam Concurrency_tag has no effect
@@ -66,6 +67,7 @@ Mesh_domain<TriangleMesh> make_domain(const Mesh_domain<TriangleMesh>& domain,
 }
 
 /// \ingroup PkgGeodesicProcessingDomain
+///
 /// returns the domain itself, so that functions accept both. O(1).
 ///
 /// \tparam Concurrency_tag has no effect

@@ -20,11 +20,13 @@ struct Mass_density
 };
 
 /// \ingroup PkgGeodesicProcessingTransport
+///
 /// creates a mass distribution for `earth_movers_distance()` from a property map of densities.
 ///
 /// \tparam PropertyMap a model of `ReadablePropertyMap` with vertices or surfels as keys and
 ///         numbers as values
 /// \param map the mass per area at each vertex or surfel, per squared unit of the coordinates
+/// \pre The map has a value for each vertex or surfel when it is read.
 /// \returns the density, to be passed as `from` or `to`
 ///
 /// O(1); the map is read by the function that receives the density.

@@ -69,14 +69,15 @@ struct Distortion_minimum
 ///     \cgalParamDefault{no callback}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \pre The UV map has a value for each vertex.
 /// \returns the numbers of inverted faces and of steps, and the energy
 /// \throws Unsupported_surface_error if the mesh is not connected, has no boundary, has handles, or
 ///         touches itself at a vertex
 /// \throws Invalid_argument_error if a value of the map is not finite
 /// \throws Cancelled if the callback returns false
 ///
-/// Each step factorizes a matrix with two unknowns per vertex. About ten steps are needed, and up
-/// to a hundred if the iteration starts at Tutte's map.
+/// Takes a factorization of a matrix with two unknowns per vertex in each step. About ten steps are
+/// needed, and up to a hundred if the iteration starts at Tutte's map.
 template <typename Surface, typename UVMap, typename NamedParameters = internal::Default_parameters>
 Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
                                        const NamedParameters& np = NamedParameters())

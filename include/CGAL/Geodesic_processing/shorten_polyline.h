@@ -69,6 +69,8 @@ struct Shortened_polyline
 /// \returns a `Shortened_polyline`
 /// \throws Invalid_argument_error if there are fewer than two points, if a point is not finite, or
 ///         if a squared distance is not a number
+///
+/// Takes time proportional to the number of control points in each iteration.
 template <
     typename PointRange, typename SquaredDistance,
     typename NamedParameters = internal::Default_parameters,

@@ -168,6 +168,7 @@ void similar_curvature_speeds(const Surface& surface, Vertex vertex, SpeedMap sp
 ///       than in constant regions of the image}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \pre The image has a value for each vertex or surfel.
 /// \throws Invalid_argument_error if a value of the image is not finite, or the strength is
 ///         negative or not finite
 ///

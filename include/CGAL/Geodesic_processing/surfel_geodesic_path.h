@@ -56,6 +56,8 @@ Surfel_path<Surface_of<Cloud>> surfel_geodesic_path(const Cloud& surfels, const 
 ///        number of hardware threads
 /// \returns a path for each pair; empty if its surfels or locations are not connected
 /// \throws as `Surfel_path_finder::operator()`
+///
+/// Takes the time of `Surfel_path_finder::operator()` for each pair.
 template <typename Concurrency_tag = Sequential_tag, typename SurfelRange, typename Pairs,
           typename NamedParameters = internal::Default_parameters>
 std::vector<Surfel_path<SurfelRange>>

@@ -33,7 +33,7 @@ struct Texture_atlas
   ///
   /// This is a certificate: both numbers are computed exactly from the coordinates that are
   /// written. If all faces of a disk are counterclockwise and its boundary is mapped to a simple
-  /// polygon, the map is injective.
+  /// polygon, the map is injective. O(1).
   bool is_injective() const { return number_of_flips == 0 && number_of_overlaps == 0; }
 };
 
