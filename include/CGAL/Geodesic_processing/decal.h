@@ -90,7 +90,7 @@ class Decal_placer
 public:
   using Domain = typename Map::Domain;
 
-  /// Precomputes the domain of the surface, which takes most of the time.
+  /// Precomputes the domain of the surface in the time of `make_domain()`, and uses it.
   ///
   /// \param surface the surface
   /// \param np the named parameters of `make_domain()`
