@@ -10,7 +10,9 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Unique_hash_map.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/property_map.h>
 
 #include "Array_surface.h"
 #include "Mesh_of.h"
@@ -139,12 +141,13 @@ TEST(Geodesic_delaunay_remeshing, writes_vertex_locations)
 {
   const Mesh plane = mesh_of(square(20, 0.2));
   Mesh output;
-  const auto locations = output.add_property_map<Vertex, GP::Location<Mesh>>("v:location").first;
-  GP::geodesic_delaunay_remeshing(plane, 80, output, GP::parameters::location_map(locations));
+  CGAL::Unique_hash_map<Vertex, GP::Location<Mesh>> locations;
+  GP::geodesic_delaunay_remeshing(
+      plane, 80, output, GP::parameters::location_map(boost::make_assoc_property_map(locations)));
   double area = 0.;
   for(const Vertex v : output.vertices())
     // A few round-off errors.
-    EXPECT_LT(distance(point_of(plane, get(locations, v)), to_array(output.point(v))), 1e-14);
+    EXPECT_LT(distance(point_of(plane, locations[v]), to_array(output.point(v))), 1e-14);
   for(const Face f : output.faces())
     area += PMP::face_area(f, output);
   EXPECT_NEAR(area, 1., 1e-12); // a sum of 150 terms

@@ -4,6 +4,8 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Unique_hash_map.h>
+#include <CGAL/property_map.h>
 
 #include "Mesh_of.h"
 
@@ -49,9 +51,9 @@ TEST(semi_regular_remeshing, has_subdivision_connectivity)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   Mesh output;
-  const auto level = output.add_property_map<Vertex, std::size_t>("v:level").first;
-  const auto result =
-      GP::semi_regular_remeshing(mesh, 30, 3, output, GP::parameters::level_map(level));
+  CGAL::Unique_hash_map<Vertex, std::size_t> level;
+  const auto result = GP::semi_regular_remeshing(
+      mesh, 30, 3, output, GP::parameters::level_map(boost::make_assoc_property_map(level)));
   EXPECT_EQ(result.number_of_levels, 3u);
   EXPECT_EQ(result.number_of_flips, 0u);
   EXPECT_EQ(num_faces(output), 64 * result.number_of_base_faces);

@@ -6,6 +6,8 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Unique_hash_map.h>
+#include <CGAL/property_map.h>
 
 #include "Mesh_of.h"
 #include "openmesh.h"
@@ -130,9 +132,17 @@ TEST(texture_atlas, reconstructs_cloud)
 
   Mesh of_domain;
   std::map<Mesh::Halfedge_index, UV> same;
+  CGAL::Unique_hash_map<Vertex, GP::Location<Surfels>> same_location;
+  CGAL::Unique_hash_map<Face, std::size_t> same_chart;
   GP::texture_atlas(GP::make_domain(surfels, maps), 8, of_domain,
-                    boost::make_assoc_property_map(same));
+                    boost::make_assoc_property_map(same),
+                    GP::parameters::location_map(boost::make_assoc_property_map(same_location))
+                        .chart_map(boost::make_assoc_property_map(same_chart)));
   EXPECT_EQ(same, uv);
+  for(const Vertex v : output.vertices())
+    EXPECT_EQ(same_location[v].surfel, location.at(v).surfel);
+  for(const Face f : output.faces())
+    EXPECT_EQ(same_chart[f], chart.at(f));
 }
 
 TEST(texture_atlas, texel_density_follows_scale)

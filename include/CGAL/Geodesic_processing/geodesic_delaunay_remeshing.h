@@ -218,6 +218,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   using Vertex = typename Graph::vertex_descriptor;
   const auto points = get(CGAL::vertex_point, output);
   using Point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
+  [[maybe_unused]] auto location_map = internal::parameter(np, internal_np::location_map, 0);
   std::vector<Vertex> vertices;
   for(std::size_t i = 0; i < found.samples.size(); ++i)
   {
@@ -225,8 +226,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
     vertices.push_back(add_vertex(output));
     put(points, vertices.back(), Point(p[0], p[1], p[2]));
     if constexpr(internal::has_parameter<NamedParameters, internal_np::location_map_t>)
-      put(internal::parameter(np, internal_np::location_map, 0), vertices.back(),
-          domain.outer(found.samples[i]));
+      put(location_map, vertices.back(), domain.outer(found.samples[i]));
   }
   std::vector<std::array<Vertex, 3>> faces;
   for(const auto& f : found.triangles)

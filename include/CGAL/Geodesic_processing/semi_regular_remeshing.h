@@ -112,12 +112,13 @@ Semi_regular_result semi_regular_remeshing(const Surface& surface, std::size_t n
     internal::add_faces(found.points, found.triangles, output, &vertices);
   if constexpr(internal::has_parameter<NamedParameters, internal_np::level_map_t>)
   {
+    auto level_map = internal::parameter(np, internal_np::level_map, 0);
     std::size_t level = 0;
     for(std::size_t i = 0; i < vertices.size(); ++i)
     {
       while(i >= found.number_of_vertices[level])
         ++level;
-      put(internal::parameter(np, internal_np::level_map, 0), vertices[i], level);
+      put(level_map, vertices[i], level);
     }
   }
   return {unsigned(found.number_of_vertices.size() - 1), base.number_of_base_faces(),

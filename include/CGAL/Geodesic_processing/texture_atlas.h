@@ -73,6 +73,7 @@ Texture_atlas write_atlas(const Atlas& atlas, const TriangleMesh& mesh,
                           const NamedParameters& np)
 {
   using Value = typename boost::property_traits<UVMap>::value_type;
+  [[maybe_unused]] auto chart_map = parameter(np, internal_np::chart_map, 0);
   for(Index f = 0; f < atlas.chart.size(); ++f)
   {
     // Halfedge k begins at corner k, so it points to corner k + 1.
@@ -83,7 +84,7 @@ Texture_atlas write_atlas(const Atlas& atlas, const TriangleMesh& mesh,
       put(corner_uv_map, h, planar_value<Value>(p[0], p[1]));
     }
     if constexpr(has_parameter<NamedParameters, internal_np::chart_map_t>)
-      put(parameter(np, internal_np::chart_map, 0), face_of(h, mesh), std::size_t(atlas.chart[f]));
+      put(chart_map, face_of(h, mesh), std::size_t(atlas.chart[f]));
   }
   Texture_atlas result;
   result.number_of_charts = atlas.number_of_charts;
@@ -245,9 +246,12 @@ Texture_atlas texture_atlas(const Cloud& cloud, std::size_t number, OutputMesh& 
   std::vector<typename boost::graph_traits<OutputMesh>::vertex_descriptor> vertices;
   internal::add_faces(used.points, used.triangles, output, &vertices);
   if constexpr(internal::has_parameter<NamedParameters, internal_np::location_map_t>)
+  {
+    auto location_map = internal::parameter(np, internal_np::location_map, 0);
     for(std::size_t i = 0; i < vertices.size(); ++i)
-      put(internal::parameter(np, internal_np::location_map, 0), vertices[i],
+      put(location_map, vertices[i],
           Location<Surface_of<Cloud>>{domain.vertex(used.vertices[i]), {0., 0.}});
+  }
   return internal::write_atlas(
       atlas, output,
       [&](internal::Index f)
