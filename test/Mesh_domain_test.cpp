@@ -4,6 +4,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -142,6 +143,26 @@ TEST(Mesh_domain, reads_vertex_point_map)
     EXPECT_LT(
         distance(to_array(domain.point(domain.inner_vertex(vertex))), to_array(points[vertex])),
         rounding);
+}
+
+TEST(Mesh_domain, returns_points_of_locations)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    Numbered<Surface_mesh> mesh;
+    fill(mesh, icosphere(1));
+    for(const auto v : mesh.mesh.vertices())
+      mesh.mesh.point(v) = CGAL::ORIGIN + scale * (mesh.mesh.point(v) - CGAL::ORIGIN);
+    const Mesh_domain<Surface_mesh> domain(mesh.mesh);
+    for(const auto face : mesh.mesh.faces())
+    {
+      const Mesh_domain<Surface_mesh>::Location location = {face, {0.2, 0.5, 0.3}};
+      const auto p = CGAL::Polygon_mesh_processing::construct_point(location, mesh.mesh);
+      // A few round-off errors.
+      EXPECT_LT(CGAL::squared_distance(domain.point(location), p), 1e-28 * scale * scale);
+    }
+    EXPECT_THROW(domain.point({Surface_mesh::null_face(), {1., 0., 0.}}), Invalid_argument_error);
+  }
 }
 
 TEST(Mesh_domain, writes_values_to_matching_vertices)

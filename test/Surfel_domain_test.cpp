@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
+#include <CGAL/Geodesic_processing/locate_on_surface.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
@@ -248,6 +249,43 @@ TEST(Surfel_domain, locations_round_trip)
     EXPECT_LT(CGAL::squared_distance(domain.point(inner), domain.point(again)), 1e-26);
     EXPECT_NEAR(std::sqrt(CGAL::squared_distance(domain.point(inner), p)),
                 std::hypot(location.offset[0], location.offset[1]), 1e-12);
+  }
+}
+
+TEST(Surfel_domain, returns_points_and_axes_of_locations)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    Surfels surfels = sphere_surfels(2);
+    for(auto& [point, normal] : surfels)
+    {
+      point = CGAL::ORIGIN + scale * (point - CGAL::ORIGIN);
+      normal = 3. * normal;
+    }
+    const GP::Surfel_domain<Surfels> domain(surfels, maps);
+    const GP::Surface_locator<Surfels> locate(domain);
+    for(std::size_t i = 0; i < surfels.size(); ++i)
+    {
+      const auto& [point, normal] = surfels[i];
+      const auto [u, v] = domain.axes(i);
+      // A few round-off errors.
+      EXPECT_NEAR(u.squared_length(), 1., 1e-14);
+      EXPECT_NEAR(v.squared_length(), 1., 1e-14);
+      EXPECT_NEAR((CGAL::cross_product(u, v) - normal / 3.).squared_length(), 0., 1e-28);
+      const double x = 0.01 * scale, y = -0.02 * scale;
+      EXPECT_LT(CGAL::squared_distance(domain.point({i, {x, y}}), point + x * u + y * v),
+                1e-28 * scale * scale);
+      // The location of a point is its projection to the tangent plane.
+      const auto above = point + x * u + y * v + 0.1 * x * normal;
+      const auto location = locate(above);
+      EXPECT_EQ(location.surfel, i);
+      EXPECT_LT(CGAL::squared_distance(domain.point(location), point + x * u + y * v),
+                1e-28 * scale * scale);
+    }
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(domain.point({0, {nan, 0.}}), GP::Invalid_argument_error);
+    EXPECT_THROW(domain.point({surfels.size(), {0., 0.}}), GP::Invalid_argument_error);
+    EXPECT_THROW(domain.axes(surfels.size()), GP::Invalid_argument_error);
   }
 }
 

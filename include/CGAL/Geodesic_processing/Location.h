@@ -28,7 +28,8 @@ class Surfel_domain;
 
 /// \ingroup PkgGeodesicProcessingDomain
 /// a location on a surfel cloud: a surfel and an offset in its tangent plane. The two components of
-/// the offset are in the unit of the coordinates.
+/// the offset are in the unit of the coordinates. They refer to `Surfel_domain::axes()`, and
+/// `Surfel_domain::point()` returns the point.
 template <typename Surfel>
 struct Surfel_location
 {

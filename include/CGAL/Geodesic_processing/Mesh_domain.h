@@ -82,6 +82,12 @@ public:
   /// returns the number of vertices. O(1).
   std::size_t number_of_vertices() const { return m_data->vertices.size(); }
 
+  /// returns the point of a location. O(1).
+  /// \param location a location on the mesh
+  /// \throws Invalid_argument_error if the face is not in the mesh, or if the barycentric
+  ///         coordinates are negative or do not sum to one
+  Point_3 point(const Location& location) const { return point(inner(location)); }
+
   /// writes a value for each vertex to a property map. O(n).
   ///
   /// \tparam Values a function object

@@ -8,12 +8,15 @@
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
 #include <CGAL/Geodesic_processing/internal/core/slowness.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -82,6 +85,17 @@ public:
   /// returns the number of surfels. O(1).
   std::size_t number_of_vertices() const { return m_data->descriptors.size(); }
 
+  /// returns the point of the tangent plane at a location. O(1).
+  /// \param location a location on the cloud
+  /// \throws Invalid_argument_error if the surfel is not in the cloud or the offset is not finite
+  Point_3 point(const Location& location) const;
+
+  /// returns the axes to which the offsets of a surfel refer: two unit vectors in its tangent plane,
+  /// whose cross product is its unit normal. They depend on the normal only. O(1).
+  /// \param surfel a surfel
+  /// \throws Invalid_argument_error if the surfel is not in the cloud
+  std::array<Vector_3, 2> axes(Vertex surfel) const;
+
   /// writes a value for each surfel to a property map. O(n).
   ///
   /// \tparam Values a function object
@@ -120,6 +134,8 @@ public:
   /// @}
 
 private:
+  internal::Tangent_location scaled(const Location& location) const;
+
   struct Data
   {
     internal::Surfel_arrays surfels;
@@ -179,12 +195,18 @@ internal::Surface_location Surfel_domain<SurfelRange>::inner_vertex(Vertex surfe
 template <typename SurfelRange>
 internal::Surface_location Surfel_domain<SurfelRange>::inner(const Location& location) const
 {
-  const internal::Surface_arrays& t = m_data->surfels.arrays;
+  return internal::to_surface_location(m_data->surfels.arrays, scaled(location));
+}
+
+// Converts a location of the caller to scaled units.
+template <typename SurfelRange>
+internal::Tangent_location Surfel_domain<SurfelRange>::scaled(const Location& location) const
+{
+  const double scale = m_data->surfels.arrays.scale;
   const auto [u, v] = location.offset;
   if(!(std::abs(u) < internal::infinity) || !(std::abs(v) < internal::infinity))
     throw Invalid_argument_error("The offset of a location is not finite.");
-  return internal::to_surface_location(
-      t, {inner_vertex(location.surfel).vertex, {u / t.scale, v / t.scale}});
+  return {inner_vertex(location.surfel).vertex, {u / scale, v / scale}};
 }
 
 template <typename SurfelRange>
@@ -195,6 +217,25 @@ Surfel_domain<SurfelRange>::outer(const internal::Surface_location& location) co
   const internal::Tangent_location tangent_location = internal::to_tangent_location(t, location);
   return {vertex(tangent_location.vertex),
           {tangent_location.offset[0] * t.scale, tangent_location.offset[1] * t.scale}};
+}
+
+template <typename SurfelRange>
+typename Surfel_domain<SurfelRange>::Point_3
+Surfel_domain<SurfelRange>::point(const Location& location) const
+{
+  using namespace internal;
+  const Surface_arrays& t = m_data->surfels.arrays;
+  const auto p = t.origin + t.scale * position(t, scaled(location));
+  return Point_3(p[0], p[1], p[2]);
+}
+
+template <typename SurfelRange>
+std::array<typename Surfel_domain<SurfelRange>::Vector_3, 2>
+Surfel_domain<SurfelRange>::axes(Vertex surfel) const
+{
+  const auto [u, v] =
+      internal::tangent_frame(m_data->surfels.arrays.normal[inner_vertex(surfel).vertex]);
+  return {Vector_3(u[0], u[1], u[2]), Vector_3(v[0], v[1], v[2])};
 }
 
 template <typename SurfelRange>

@@ -125,8 +125,7 @@ typename Domain::Location locate(const Domain& domain, const std::string& text,
 template <typename Domain>
 Point location_point(const Domain& domain, const typename Domain::Location& location)
 {
-  // Not public: No function returns the point of a location on a cloud.
-  return coordinates(domain.point(domain.inner(location)));
+  return coordinates(domain.point(location));
 }
 
 // Returns the corners of triangles on which a picture of a cloud draws lines. The triangles are a
