@@ -60,17 +60,6 @@ TEST(exponential_map, ends_at_boundary)
 
 using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
 
-// Returns the position of a location in space.
-GP::internal::Vec3 position(const GP::Surfel_domain<Point_set>& domain,
-                            const GP::Location<Point_set>& location)
-{
-  using namespace GP::internal;
-  const Surface_arrays& t = *domain.triangles();
-  const Index vertex = domain.index(location.surfel);
-  const auto [u, v] = tangent_frame(t.normal[vertex]);
-  return t.origin + t.scale * t.point[vertex] + location.offset[0] * u + location.offset[1] * v;
-}
-
 TEST(exponential_map, inverts_logarithmic_map_on_cloud)
 {
   const Cloud cloud = octahedron_sphere(5); // 4,098 surfels
@@ -90,7 +79,7 @@ TEST(exponential_map, inverts_logarithmic_map_on_cloud)
     for(const Point_set::Index& reached : map.reached())
     {
       const double error =
-          norm(position(domain, map.exponential(map(reached))) - cloud.points[reached]);
+          norm(to_array(domain.point(map.exponential(map(reached)))) - cloud.points[reached]);
       // The logarithmic map on the cloud has errors of up to 0.9 % of the distance.  The tangent
       // planes are up to 0.002 above the sphere.
       EXPECT_LT(error, 0.01 * std::hypot(map(reached)[0], map(reached)[1]) + 0.002);
@@ -103,6 +92,10 @@ TEST(exponential_map, inverts_logarithmic_map_on_cloud)
     const auto image = GP::exponential_map(points, base, vector, np);
     EXPECT_EQ(image.surfel, expected.surfel);
     EXPECT_EQ(image.offset, expected.offset);
+    // Vectors and points of the plane are accepted as well.
+    EXPECT_EQ(map.exponential(Kernel::Vector_2(0.3, -0.7)).offset, expected.offset);
+    EXPECT_EQ(GP::exponential_map(domain, base, Kernel::Point_2(0.3, -0.7), np).offset,
+              expected.offset);
   };
   check(surfel, GP::parameters::up_direction(Vector_3(0.2, 1., 0.3)));
   check(surfel, GP::parameters::number_of_threads(1));
@@ -120,9 +113,8 @@ TEST(exponential_map, follows_axes_on_cloud)
   // The second axis at (1, 0, 0) points to (0, 0, 1), and the first one to (0, 1, 0).
   const auto end = [&](double x, double y)
   {
-    return position(domain,
-                    GP::exponential_map(domain, Point_set::Index(0), {x, y},
-                                        GP::parameters::up_direction(Vector_3(1., 0., 2.))));
+    return to_array(domain.point(GP::exponential_map(
+        domain, Point_set::Index(0), {x, y}, GP::parameters::up_direction(Vector_3(1., 0., 2.)))));
   };
   using GP::internal::norm;
   using GP::internal::operator-;
@@ -137,8 +129,15 @@ TEST(exponential_map, follows_axes_on_cloud)
 TEST(exponential_map, throws_on_invalid_input)
 {
   const Mesh mesh = mesh_of(square(4));
-  EXPECT_THROW(GP::exponential_map(mesh, Vertex(6), {std::nan(""), 0.}),
-               GP::Invalid_argument_error);
+  try
+  {
+    GP::exponential_map(mesh, Vertex(6), {std::nan(""), 0.});
+    ADD_FAILURE();
+  }
+  catch(const GP::Invalid_argument_error& error)
+  {
+    EXPECT_STREQ(error.what(), "A tangent vector is not finite.");
+  }
   EXPECT_THROW(GP::exponential_map(mesh, Vertex(6), {1., 0.},
                                    GP::parameters::up_direction(Vector_3(0., 0., 1.))),
                GP::Invalid_argument_error); // normal to the surface

@@ -27,9 +27,11 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \tparam Surface a model of `FaceListGraph`, a model of `SurfelRange`, or its domain
 /// \tparam Place a vertex, a surfel or a `Location<Surface>`
+/// \tparam TangentVector `Vector_2`, `Point_2`, or an array of two numbers
 /// \param surface a mesh, a cloud or a domain
 /// \param base a vertex, a surfel or a location
-/// \param vector a vector in the tangent plane of `base`
+/// \param vector the two components of a vector in the tangent plane of `base`, in the axes of
+///        `Logarithmic_map::frame()`
 /// \param np `up_direction` as for `Logarithmic_map::compute()`, and the named parameters of
 ///        `make_domain()`
 /// \returns a location; on a cloud, the projection of the endpoint to the tangent plane of the
@@ -39,15 +41,17 @@ namespace CGAL::Geodesic_processing {
 ///
 /// After `make_domain()`, O(number of crossed faces) time on a mesh, \cgalCite{cgal:ps-sgps-98} and
 /// O(n log n) time for the fit on a cloud of n surfels.
-template <typename Surface, typename Place, typename NamedParameters = internal::Default_parameters>
+template <typename Surface, typename Place, typename TangentVector = std::array<double, 2>,
+          typename NamedParameters = internal::Default_parameters>
 Location<Surface_of<Surface>> exponential_map(const Surface& surface, const Place& base,
-                                              const std::array<double, 2>& vector,
+                                              const TangentVector& vector,
                                               const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
   const internal::Exponential_tracer<std::decay_t<decltype(domain)>> exponential(
       internal::parameter(np, internal_np::number_of_threads, 1u));
-  return exponential(domain, internal::oriented_tangent_plane(domain, base, np), vector);
+  return exponential(domain, internal::oriented_tangent_plane(domain, base, np),
+                     internal::tangent_vector(vector));
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -243,12 +243,14 @@ public:
   /// surface that is fitted to the surfels, see `straightest_geodesic()`.  The first call fits the
   /// surface, in O(n log n) time.  Later calls and calls of copies reuse it, and different copies
   /// can be used concurrently.
+  /// \tparam TangentVector `Vector_2`, `Point_2`, or an array of two numbers
   /// \param vector the tangent vector, in the axes of `frame()`
   /// \pre `compute()` was called
   /// \throws Invalid_argument_error if the vector is not finite
-  Location exponential(const Vector& vector) const
+  template <typename TangentVector = Vector>
+  Location exponential(const TangentVector& vector) const
   {
-    return m_exponential(m_domain, *m_plane, vector);
+    return m_exponential(m_domain, *m_plane, internal::tangent_vector(vector));
   }
   /// @}
 

@@ -45,6 +45,16 @@ Oriented_tangent_plane oriented_tangent_plane(const Domain& domain, const Vertex
   return result;
 }
 
+// Reads a vector of the tangent plane.  Throws Invalid_argument_error if it is not finite.
+template <typename TangentVector>
+std::array<double, 2> tangent_vector(const TangentVector& vector)
+{
+  const std::array<double, 2> result = {CGAL::to_double(vector[0]), CGAL::to_double(vector[1])};
+  if(!std::isfinite(std::hypot(result[0], result[1])))
+    throw Invalid_argument_error("A tangent vector is not finite.");
+  return result;
+}
+
 // Computes the exponential map.  On a mesh, it traces straightest geodesics on the triangles.
 template <typename Domain, bool is_cloud = Is_cloud<typename Domain::Surface>::value>
 class Exponential_tracer
@@ -52,8 +62,7 @@ class Exponential_tracer
 public:
   explicit Exponential_tracer(unsigned = 1) {}
 
-  // Returns the endpoint of the geodesic with a tangent vector, in the caller's unit.  Throws
-  // Invalid_argument_error if the vector is not finite.
+  // Returns the endpoint of the geodesic with a finite tangent vector, in the caller's unit.
   typename Domain::Location operator()(const Domain& domain, const Oriented_tangent_plane& at,
                                        const std::array<double, 2>& vector) const
   {
@@ -76,13 +85,10 @@ public:
   typename Domain::Location operator()(const Domain& domain, const Oriented_tangent_plane& at,
                                        const std::array<double, 2>& vector) const
   {
-    const double length = std::hypot(vector[0], vector[1]);
-    if(!std::isfinite(length))
-      throw Invalid_argument_error("A tangent vector is not finite.");
     const double angle = std::atan2(vector[1], vector[0]) - at.rotation;
     const Traced_path path =
         tracer(domain)(traced_location(domain, domain.outer(at.plane.location())),
-                       at.plane.direction(angle), length);
+                       at.plane.direction(angle), std::hypot(vector[0], vector[1]));
     return outer_location(domain, path.locations.back());
   }
 
