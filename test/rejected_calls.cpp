@@ -3,8 +3,10 @@
 //
 // Calls that must not compile. The compiler must print the sentence in the comment above each call;
 // supported_surfaces.cmake checks it. Without REJECTED, the file compiles.
+#include <CGAL/Geodesic_processing/earth_movers_distance.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
+#include <CGAL/Geodesic_processing/geodesic_path.h>
 #include <CGAL/Geodesic_processing/texture_atlas.h>
 
 #include <CGAL/Point_set_3.h>
@@ -28,11 +30,22 @@ void call(Mesh& mesh, Cloud& cloud)
   const auto of_surfels = cloud.add_property_map<double>("distance").first;
   const auto uv = cloud.add_property_map<std::array<double, 2>>("uv").first;
   std::vector<Kernel::Point_3> points;
+  std::vector<double> numbers;
 #ifdef REJECTED
-  // REASON: pass speeds of faces as face_speed_map
+  // REASON: Pass speeds of faces as face_speed_map
   GP::geodesic_distances(mesh, v, distances, GP::parameters::speed_map(of_faces));
-  // REASON: pass speeds of vertices as speed_map
+  // REASON: Pass speeds of vertices as speed_map
   GP::geodesic_distances(mesh, v, distances, GP::parameters::face_speed_map(distances));
+  // REASON: face_speed_map is a property map with faces as keys
+  GP::geodesic_distances(mesh, v, distances, GP::parameters::face_speed_map(numbers));
+  // REASON: speed_map is a property map with vertices or surfels as keys
+  GP::geodesic_distances(mesh, v, distances, GP::parameters::speed_map(numbers));
+  // REASON: locate_on_surface() returns the location of a point
+  GP::geodesic_path(mesh, points[0], points[1]);
+  // REASON: CGAL::make_property_map() makes a map of a vector of masses
+  GP::earth_movers_distance(mesh, numbers, numbers);
+  // REASON: corner_uv_map is a property map with halfedges as keys
+  GP::texture_atlas(mesh, 10, distances);
   // REASON: A cloud has no faces
   GP::geodesic_distances(cloud, *cloud.begin(), of_surfels,
                          GP::parameters::face_speed_map(of_faces));

@@ -189,6 +189,10 @@ Texture_atlas texture_atlas(const Mesh& mesh, std::size_t number, UVMap corner_u
   static_assert(!internal::Is_cloud<Surface_of<Mesh>>::value,
                 "Texture coordinates need faces, which a cloud does not have: pass a mesh that "
                 "receives the reconstructed surface as third argument.");
+  using Halfedge = typename boost::graph_traits<Surface_of<Mesh>>::halfedge_descriptor;
+  static_assert(internal::is_keyed_by<UVMap, Halfedge>,
+                "Texture coordinates belong to corners of faces: corner_uv_map is a property map "
+                "with halfedges as keys.");
   const auto domain = make_domain(mesh, np);
   const internal::Atlas atlas =
       internal::compute_atlas<Method, Concurrency_tag>(domain, number, np);

@@ -24,9 +24,12 @@ namespace CGAL::Geodesic_processing::internal {
 // #triangles: 1 / speed of each triangle; null if the speed is 1 everywhere.
 using Shared_slowness = std::shared_ptr<const std::vector<double>>;
 
-// True if a property map can be read at descriptors of this type.
+// Whether a type is a property map that can be read at descriptors of this type.
+template <typename PropertyMap, typename Descriptor, typename = void>
+inline constexpr bool is_keyed_by = false;
 template <typename PropertyMap, typename Descriptor>
-inline constexpr bool is_keyed_by =
+inline constexpr bool is_keyed_by<
+    PropertyMap, Descriptor, std::void_t<typename boost::property_traits<PropertyMap>::key_type>> =
     std::is_convertible_v<Descriptor, typename boost::property_traits<PropertyMap>::key_type>;
 
 // Reads the speeds of vertices or surfels. An empty optional stands for no map.
@@ -34,8 +37,8 @@ template <typename Domain, typename SpeedMap>
 Shared_slowness vertex_slowness(const Domain& domain, const SpeedMap& speed)
 {
   static_assert(is_keyed_by<SpeedMap, typename Domain::Vertex>,
-                "speed_map has vertices or surfels as keys; pass speeds of faces as "
-                "face_speed_map.");
+                "speed_map is a property map with vertices or surfels as keys. Pass speeds of "
+                "faces as face_speed_map. CGAL::make_property_map() makes a map of a vector.");
   return std::make_shared<const std::vector<double>>(domain.slowness(speed));
 }
 template <typename Domain, typename SpeedMap>
@@ -52,7 +55,8 @@ Shared_slowness face_slowness(const Domain& domain, const FaceSpeedMap& speed)
   static_assert(!Is_cloud<Surface>::value,
                 "A cloud has no faces; pass speeds of surfels as speed_map.");
   static_assert(is_keyed_by<FaceSpeedMap, typename boost::graph_traits<Surface>::face_descriptor>,
-                "face_speed_map has faces as keys; pass speeds of vertices as speed_map.");
+                "face_speed_map is a property map with faces as keys. Pass speeds of vertices as "
+                "speed_map. CGAL::make_property_map() makes a map of a vector.");
   return std::make_shared<const std::vector<double>>(domain.face_slowness(speed));
 }
 

@@ -68,6 +68,10 @@ Mass_distribution masses(const Domain& domain, const From& from)
     result.at_vertices = vertex_values(domain, from);
   else
   {
+    static_assert(
+        names_location<Domain, Element_of<From>>,
+        "A mass is a vertex, a surfel, a location, a range of these, a property map, or a "
+        "Mass_density. CGAL::make_property_map() makes a map of a vector of masses.");
     const std::vector<Surface_location> located = locations(domain, from);
     if(located.empty())
       throw Invalid_argument_error("A range of locations for a mass is empty.");
@@ -138,8 +142,8 @@ std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParamete
   {
     const auto map = parameter(np, internal_np::metric_map, none);
     static_assert(is_keyed_by<std::remove_const_t<decltype(map)>, typename Domain::Vertex>,
-                  "metric_map has vertices or surfels as keys; pass metrics of faces as "
-                  "face_metric_map.");
+                  "metric_map is a property map with vertices or surfels as keys. Pass metrics of "
+                  "faces as face_metric_map.");
     const auto mean_metric = [&](Index triangle)
     {
       Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -157,7 +161,8 @@ std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParamete
     const auto map = parameter(np, internal_np::face_metric_map, none);
     static_assert(is_keyed_by<std::remove_const_t<decltype(map)>,
                               typename boost::graph_traits<Surface>::face_descriptor>,
-                  "face_metric_map has faces as keys; pass metrics of vertices as metric_map.");
+                  "face_metric_map is a property map with faces as keys. Pass metrics of vertices "
+                  "as metric_map.");
     multiply_by_metric(
         t, [&](Index triangle) { return get(map, domain.face(triangle)); }, result);
   }

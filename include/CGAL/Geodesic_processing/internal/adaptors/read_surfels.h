@@ -107,8 +107,8 @@ Surfel_input read_surfels(const SurfelRange& range, const NamedParameters& np)
   {
     if constexpr(!has_normals)
       if(!range.has_normal_map())
-        throw Unsupported_surface_error("The point set has no normals: estimate them first, for "
-                                        "instance by CGAL::jet_estimate_normals().");
+        throw Unsupported_surface_error(
+            "The point set has no normals: estimate them by estimate_surfels().");
     const auto point_map = parameter(np, CGAL::internal_np::point_map, range.point_map());
     if constexpr(has_normals)
       read(point_map, CGAL::parameters::get_parameter(plain(np), CGAL::internal_np::normal_map));

@@ -9,16 +9,49 @@
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
 #include <cmath>
+#include <iterator>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
+// The type of the elements of a range. For a type that is not a range, the type itself.
+template <typename T, typename = void>
+struct Element
+{
+  using type = T;
+};
+template <typename T>
+struct Element<T, std::void_t<decltype(*std::begin(std::declval<const T&>()))>>
+{
+  using type = std::decay_t<decltype(*std::begin(std::declval<const T&>()))>;
+};
+template <typename T>
+using Element_of = typename Element<T>::type;
+
+// Whether T is a location of the domain, or converts to a vertex. Numbers that are not integers do
+// not count as vertices.
+template <typename Domain, typename T>
+inline constexpr bool names_location = std::is_same_v<T, typename Domain::Location> ||
+                                       (std::is_convertible_v<T, typename Domain::Vertex> &&
+                                        !std::is_floating_point_v<T>);
+
+// Does not compile unless `names_location`.
+template <typename Domain, typename T>
+constexpr void require_location()
+{
+  static_assert(names_location<Domain, T>,
+                "Pass vertices, surfels or locations of this surface. locate_on_surface() returns "
+                "the location of a point.");
+}
+
 // Converts a vertex or location of the caller to an internal location.
 template <typename Domain, typename VertexOrLocation>
 Surface_location location(const Domain& domain, const VertexOrLocation& element)
 {
+  require_location<Domain, VertexOrLocation>();
   if constexpr(std::is_same_v<VertexOrLocation, typename Domain::Location>)
     return domain.inner(element);
   else
@@ -36,6 +69,7 @@ inline constexpr bool is_vertex_or_location = std::is_same_v<T, typename Domain:
 template <typename Domain, typename Range>
 std::vector<Surface_location> locations(const Domain& domain, const Range& range)
 {
+  require_location<Domain, Element_of<Range>>();
   std::vector<Surface_location> result;
   if constexpr(is_vertex_or_location<Domain, Range>)
     result.push_back(location(domain, range));
@@ -81,6 +115,8 @@ std::vector<internal::Front_source> sources(const Domain& domain, const Sources&
                                             std::vector<std::size_t>& labels)
 {
   using Source = Geodesic_processing::Source<typename Domain::Surface>;
+  if constexpr(!std::is_constructible_v<Source, Element_of<Sources>>)
+    require_location<Domain, Element_of<Sources>>();
   std::vector<internal::Front_source> result;
   const auto add = [&](const Source& item)
   {
