@@ -107,7 +107,8 @@ std::vector<Index> corners_of(const std::vector<Face>& faces)
   return result;
 }
 
-// Flips each component whose sum of normal products over all triangles is negative.
+// Flips each component whose sum of normal products over all triangles is negative.  The sums are
+// taken in the order of the faces, so that they do not depend on the orientation.
 void orient(const Surface_arrays& t, std::vector<Face>& faces)
 {
   const std::vector<Index> twins = twins_of_soup(t.number_of_vertices(), corners_of(faces));
@@ -119,17 +120,19 @@ void orient(const Surface_arrays& t, std::vector<Face>& faces)
       continue;
     component = {seed};
     is_reached[seed] = true;
-    double cosine_sum = 0.;
     for(std::size_t i = 0; i < component.size(); ++i)
-    {
-      const auto [min_cosine, max_cosine] = normal_cosine_range(t, faces[component[i]]);
-      cosine_sum += min_cosine + max_cosine;
       for(Index h = 3 * component[i]; h < 3 * component[i] + 3; ++h)
         if(const Index twin = twins[h]; twin != none && !is_reached[twin / 3])
         {
           is_reached[twin / 3] = true;
           component.push_back(twin / 3);
         }
+    std::sort(component.begin(), component.end());
+    double cosine_sum = 0.;
+    for(const Index face : component)
+    {
+      const auto [min_cosine, max_cosine] = normal_cosine_range(t, faces[face]);
+      cosine_sum += min_cosine + max_cosine;
     }
     if(cosine_sum < 0.)
       for(const Index face : component)
@@ -264,11 +267,19 @@ Mesh_arrays reconstruct_surface(const Surfel_arrays& surfels)
                                            std::back_inserter(faces),
                                            Triangle_priority{&surfels, &query_limit});
   }
-  // The output is in the order of addresses: sort it, so that it is deterministic.
+  // The order and the orientation of the output depend on addresses.  Sort the faces first by their
+  // vertices, then, once they are oriented, by their corners.
+  const auto vertices_of = [](Face face)
+  {
+    std::sort(face.begin(), face.end());
+    return face;
+  };
+  std::sort(faces.begin(), faces.end(),
+            [&](const Face& a, const Face& b) { return vertices_of(a) < vertices_of(b); });
+  orient(t, faces);
   for(Face& face : faces)
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   std::sort(faces.begin(), faces.end());
-  orient(t, faces);
   close_gaps(surfels, points, faces);
   std::vector<std::array<double, 3>> positions;
   for(const Vec3& p : t.point)
