@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Runs the program, whose file is GEODESIC_PROCESSING_PROGRAM.
-#include <nlohmann/json.hpp>
-
+#include "io/Image.h"
+#include "io/Surface_file.h"
 #include "subdivided_surfaces.h"
+
+#include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
@@ -186,6 +188,17 @@ protected:
   fs::path m_folder;
 };
 
+// Returns the lines of a file with the 642 vertices of an icosphere and their normals.
+std::string ball_cloud()
+{
+  std::ostringstream lines;
+  lines.precision(17);
+  for(const auto& p : CGAL::Geodesic_processing::test::icosphere(3).points)
+    lines << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[0] << ' ' << p[1] << ' ' << p[2]
+          << '\n';
+  return lines.str();
+}
+
 std::set<std::string> keys(const nlohmann::json& object)
 {
   std::set<std::string> result;
@@ -282,14 +295,11 @@ TEST_F(Program, exits_with_1_on_wrong_usage_of_remeshing)
   expect_failure("remesh square.ply --number 9 --speed slow", 2, "slow");
   expect_failure("base square.ply", 1, "--number");
   expect_failure("base square.ply --number 9 --coordinates polar", 1, "polar");
-  expect_failure("base cloud.xyz --number 9", 2, "cloud.xyz");
-  expect_failure("semiregular cloud.xyz --number 9", 2, "cloud.xyz");
   expect_failure("atlas square.ply", 1, "--number");
   expect_failure("atlas square.ply --number 2 --texels 8", 1, "--texels");
   expect_failure("atlas square.ply --number 2 --gutter 300", 1, "--gutter");
   expect_failure("atlas square.ply --number 2 --image nowhere.png", 2, "nowhere.png");
   expect_failure("atlas square.ply --number 60 --texels 16", 2, "do not fit");
-  expect_failure("atlas cloud.xyz --number 2", 2, "cloud.xyz");
   expect_failure("semiregular square.ply --number 9 --levels 9", 1,
                  "--levels: 9 is not in the range [0, 8]");
   expect_failure("semiregular square.ply --number 9 --maximum-deviation -1", 1,
@@ -374,15 +384,18 @@ TEST_F(Program, json_has_documented_keys)
               {"vertices_out", "faces_out", "added", "self_intersections"});
   expect_keys("remesh square.ply --number 20 --allow-self-intersections",
               {"vertices_out", "faces_out", "added"});
-  expect_keys("base square.ply --number 20",
-              {"vertices_out", "faces_out", "folds", "repaired_faces"});
-  expect_keys("semiregular square.ply --number 20 --levels 1",
-              {"vertices_out", "faces_out", "folds", "levels", "base_faces"});
-  expect_keys("semiregular square.ply --number 20 --levels 1 --maximum-deviation 1",
-              {"vertices_out", "faces_out", "folds", "levels", "base_faces", "deviation"});
-  expect_keys("atlas square.ply --number 4",
-              {"charts", "flips", "overlaps", "coverage", "texels_per_length", "conformal",
-               "authalic", "symmetric_dirichlet"});
+  for(const std::string file : {"square.ply", "cloud.xyz"})
+  {
+    expect_keys("base " + file + " --number 20",
+                {"vertices_out", "faces_out", "folds", "repaired_faces"});
+    expect_keys("semiregular " + file + " --number 20 --levels 1",
+                {"vertices_out", "faces_out", "folds", "levels", "base_faces"});
+    expect_keys("semiregular " + file + " --number 20 --levels 1 --maximum-deviation 1",
+                {"vertices_out", "faces_out", "folds", "levels", "base_faces", "deviation"});
+    expect_keys("atlas " + file + " --number 4",
+                {"charts", "flips", "overlaps", "coverage", "texels_per_length", "conformal",
+                 "authalic", "symmetric_dirichlet"});
+  }
   expect_keys(
       "remesh square.ply --number 20 --fill-holes",
       {"vertices_out", "faces_out", "added", "self_intersections", "holes_filled", "holes_left"});
@@ -551,7 +564,7 @@ TEST_F(Program, emd_matches_known_costs)
   expect_failure("emd square.ply --from 0 --to nothing", 2, "nothing");
   write("short.txt", "1\n2\n");
   expect_failure("emd square.ply --from 0 --to short.txt", 2, "the number of masses is 2");
-  expect_failure("emd cloud.xyz --from 0 --to 11 --bound-above", 2, "need a mesh");
+  expect_failure("emd cloud.xyz --from 0 --to 11 --bound-above", 2, "needs a mesh");
 }
 
 TEST_F(Program, plan_transports_to_a_region)
@@ -599,7 +612,46 @@ TEST_F(Program, plan_transports_to_a_region)
   expect_failure("plan square.ply --from 0", 1, "--to");
   expect_failure("plan square.ply --from 0 --to 81", 2, "81");
   expect_failure("plan square.ply --from 0 --to nothing", 2, "nothing");
-  expect_failure("plan cloud.xyz --from 0 --to 11 --hodge", 2, "need a mesh");
+  expect_failure("plan cloud.xyz --from 0 --to 11 --bound-above", 2, "needs a mesh");
+}
+
+TEST_F(Program, gradient_and_remainder_sum_to_the_tangential_flow_on_a_cloud)
+{
+  write("ball.xyz", ball_cloud());
+  for(const char* const command :
+      {"emd ball.xyz --from 0 --to 11", "emd ball.xyz --from 0 --to 11 --basis 3",
+       "plan ball.xyz --from 0 --to 1,2", "emd cloud.xyz --from 0 --to 11"})
+    for(const char* const name : {"h.ply", "h.vtp"})
+    {
+      SCOPED_TRACE(command);
+      EXPECT_EQ(run(std::string(command) + " --hodge --quiet -o " + name).code, 0);
+      const program::Surface_file file = program::read_surface_file(m_folder / name);
+      double max_flow = 0., max_gradient = 0., max_error = 0.;
+      for(std::size_t i = 0; i < file.points.size(); ++i)
+      {
+        const auto vector = [&](const std::string& field)
+        {
+          return program::Point{file.properties.at(field + "_x")[i],
+                                file.properties.at(field + "_y")[i],
+                                file.properties.at(field + "_z")[i]};
+        };
+        const program::Point flow = vector("flow"), gradient = vector("gradient"),
+                             remainder = vector("remainder"), normal = file.normals[i];
+        // The flow is the mean over triangles, so it has a small component along the normal.
+        const double height = flow[0] * normal[0] + flow[1] * normal[1] + flow[2] * normal[2];
+        for(std::size_t c = 0; c < 3; ++c)
+        {
+          max_flow = std::max(max_flow, std::abs(flow[c]));
+          max_gradient = std::max(max_gradient, std::abs(gradient[c]));
+          max_error = std::max(max_error,
+                               std::abs(gradient[c] + remainder[c] - flow[c] + height * normal[c]));
+        }
+      }
+      EXPECT_GT(max_flow, 0.);
+      EXPECT_GT(max_gradient, 0.1 * max_flow);
+      EXPECT_LT(max_error, 1e-12 * max_flow); // round-off errors
+      EXPECT_EQ(file.properties.count("rotation_x"), 0u);
+    }
 }
 
 TEST_F(Program, barycenter_lies_between_masses)
@@ -801,6 +853,137 @@ TEST_F(Program, atlas_is_injective)
     EXPECT_LE(*std::max_element(uv.begin(), uv.end()), 1.);
     EXPECT_NEAR(area, found["coverage"], 1e-9); // round-off errors of sums
   }
+}
+
+TEST_F(Program, atlas_of_a_cloud_is_injective)
+{
+  // A sphere. The upper half is red, the lower half is black.
+  const auto ball = CGAL::Geodesic_processing::test::icosphere(3);
+  std::ostringstream ply;
+  ply.precision(17);
+  ply << "ply\nformat ascii 1.0\nelement vertex " << ball.points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty double nx\n"
+         "property double ny\nproperty double nz\nproperty uchar red\nproperty uchar green\n"
+         "property uchar blue\nend_header\n";
+  for(const auto& p : ball.points)
+  {
+    for(int k = 0; k < 6; ++k)
+      ply << p[k % 3] << ' ';
+    ply << (p[2] > 0. ? 255 : 0) << " 0 0\n";
+  }
+  write("ball.ply", ply.str());
+
+  const nlohmann::json found = json("atlas ball.ply --number 3 --values uv.txt -o atlas.obj");
+  EXPECT_GE(found["charts"], 3);
+  EXPECT_EQ(found["flips"], 0);
+  EXPECT_EQ(found["overlaps"], 0);
+  const nlohmann::json mesh = json("info atlas.obj");
+  EXPECT_EQ(mesh["vertices"], ball.points.size());
+  EXPECT_EQ(mesh["faces"], ball.corners.size() / 3);
+  EXPECT_EQ(mesh["boundary_loops"], 0);
+
+  // One line per face of the output mesh. The texture has the colors of the surfels.
+  const program::Surface_file file = program::read_surface_file(m_folder / "atlas.obj");
+  const program::Image texture = program::read_image(m_folder / "atlas_texture.png");
+  const std::vector<double> uv = numbers("uv.txt");
+  ASSERT_EQ(uv.size(), 2 * file.corners.size());
+  double area = 0.;
+  for(std::size_t c = 0; c < file.corners.size(); c += 3)
+  {
+    const double* const p = &uv[2 * c];
+    const double twice = (p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0]);
+    EXPECT_GT(twice, 0.);
+    area += twice / 2.;
+    const auto is_red = [&](std::size_t corner)
+    { return file.points[file.corners[corner]][2] > 0.; };
+    if(is_red(c) != is_red(c + 1) || is_red(c) != is_red(c + 2))
+      continue;
+    const auto color = texture.at((p[0] + p[2] + p[4]) / 3., (p[1] + p[3] + p[5]) / 3.);
+    EXPECT_NEAR(color[0], is_red(c) ? 1. : 0., 0.01); // colors have 8 bits
+    EXPECT_EQ(color[1], 0.);
+  }
+  EXPECT_NEAR(area, found["coverage"], 1e-9); // round-off errors of sums
+
+  EXPECT_EQ(run("atlas ball.ply --number 3 --flat --quiet -o flat.obj").code, 0);
+  EXPECT_NEAR(json("info flat.obj")["area"], area, 1e-9);
+}
+
+TEST_F(Program, base_of_a_cloud_locates_surfels_in_input_order)
+{
+  write("ball.xyz", ball_cloud());
+  const nlohmann::json base = json("base ball.xyz --number 60 --values b.txt -o base.ply");
+  EXPECT_GE(base["vertices_out"], 60);
+  EXPECT_EQ(base["faces_out"], 2 * (base["vertices_out"].get<int>() - 2)); // Euler's formula
+  EXPECT_EQ(base["folds"], 0);
+  const program::Surface_file file = program::read_surface_file(m_folder / "base.ply"),
+                              cloud = program::read_surface_file(m_folder / "ball.xyz");
+  EXPECT_EQ(base["vertices_out"], file.points.size());
+  const std::vector<double> locations = numbers("b.txt");
+  ASSERT_EQ(locations.size(), 4 * cloud.points.size());
+  for(std::size_t i = 0; i < cloud.points.size(); ++i)
+  {
+    const double* const location = &locations[4 * i];
+    ASSERT_LT(location[0], base["faces_out"].get<double>());
+    EXPECT_GE(*std::min_element(location + 1, location + 4), -1e-12);
+    EXPECT_NEAR(location[1] + location[2] + location[3], 1., 1e-12);
+    // The projection of the point in the base face onto the sphere is close to the surfel.
+    program::Point p = {0., 0., 0.};
+    for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t c = 0; c < 3; ++c)
+        p[c] += location[1 + k] * file.points[file.corners[3 * std::size_t(location[0]) + k]][c];
+    const double norm = std::hypot(p[0], p[1], p[2]);
+    const program::Point& q = cloud.points[i];
+    // The edge length of the base mesh is about 0.5.
+    EXPECT_LT(std::hypot(p[0] / norm - q[0], p[1] / norm - q[1], p[2] / norm - q[2]), 0.1);
+  }
+
+  EXPECT_EQ(json("base ball.xyz --number 60 --divided -o divided.ply")["faces_out"],
+            base["faces_out"]);
+  const nlohmann::json divided = json("info divided.ply");
+  EXPECT_GT(divided["faces"], 1280);
+  EXPECT_EQ(divided["boundary_loops"], 0);
+  EXPECT_EQ(divided["genus"], 0);
+}
+
+TEST_F(Program, semiregular_remeshes_a_cloud)
+{
+  write("ball.xyz", ball_cloud());
+  const nlohmann::json found =
+      json("semiregular ball.xyz --number 30 --levels 2 --values l.txt -o s.ply");
+  EXPECT_EQ(found["folds"], 0);
+  EXPECT_EQ(found["levels"], 2);
+  EXPECT_EQ(found["faces_out"], 16 * found["base_faces"].get<int>());
+  EXPECT_EQ(found["faces_out"], 2 * (found["vertices_out"].get<int>() - 2));
+  EXPECT_EQ(numbers("l.txt").size(), found["vertices_out"]);
+  const program::Surface_file file = program::read_surface_file(m_folder / "s.ply");
+  EXPECT_EQ(file.number_of_polygons(), found["faces_out"]);
+  for(const program::Point& p : file.points)
+    EXPECT_NEAR(std::hypot(p[0], p[1], p[2]), 1., 0.01); // faces of the reconstruction are flat
+  EXPECT_GT(json("semiregular ball.xyz --number 30 --quads -o q.ply")["faces_out"], 0);
+  EXPECT_LE(json("semiregular ball.xyz --number 30 --maximum-deviation 0.1")["deviation"], 0.1);
+}
+
+TEST_F(Program, rejects_clouds_without_area)
+{
+  std::string equal;
+  for(int i = 0; i < 50; ++i)
+    equal += "1 2 3 0 0 1\n";
+  write("0.xyz", "");
+  write("1.xyz", "1 2 3 0 0 1\n");
+  write("3.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n2 0 0 0 0 1\n");
+  write("equal.xyz", equal);
+  for(const std::string name : {"0.xyz", "1.xyz", "3.xyz", "equal.xyz"})
+  {
+    expect_failure("atlas " + name + " --number 2 -o a.glb --values v.txt", 2, name + ": ");
+    for(const char* const command : {"base ", "semiregular "})
+      expect_failure(command + name + " --number 9 -o a.ply --values v.txt", 2, name + ": ");
+    for(const char* const command : {"emd ", "plan "})
+      expect_failure(command + name + " --from 0 --to 0 --hodge -o a.ply", 2, name + ": ");
+  }
+  // Three surfels that are not collinear are a triangle.
+  write("triangle.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
+  EXPECT_EQ(json("base triangle.xyz --number 3")["faces_out"], 1);
+  EXPECT_EQ(json("atlas triangle.xyz --number 1")["charts"], 1);
 }
 
 TEST_F(Program, divided_base_preserves_area_and_boundary)
@@ -1155,7 +1338,8 @@ TEST_F(Program, results_are_independent_of_threads)
       {"distance cloud.xyz --source 5", "voronoi cloud.xyz --number 4",
        "sample cloud.xyz --number 4", "path cloud.xyz --from 0 --to 143",
        "matrix cloud.xyz --number 9", "matrix cloud.xyz --limit 0.2",
-       "matrix square.ply --number 9 --method exact", "remesh square.ply --number 30 --lloyd 2"})
+       "matrix square.ply --number 9 --method exact", "remesh square.ply --number 30 --lloyd 2",
+       "atlas cloud.xyz --number 3", "base cloud.xyz --number 9"})
   {
     EXPECT_EQ(run(std::string(command) + " --threads 1 --values one.txt").code, 0);
     for(const char* const number_of_threads : {"0", "2", "7"})

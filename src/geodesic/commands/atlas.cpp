@@ -26,6 +26,7 @@ struct Atlas_options
 
 struct Atlas_result
 {
+  Surface_file file;             // the input mesh, or the mesh that is reconstructed from a cloud
   std::vector<UV> corner_uv;     // #corners
   std::vector<long long> charts; // #faces
   Image texture;
@@ -36,9 +37,10 @@ class Surface_painter
 {
 public:
   // If image.width is 0, no image is projected.
-  Surface_painter(const Surface_file& file, const Atlas_result& result, const Image& image)
-      : m_file(file), m_result(result), m_image(image)
+  Surface_painter(const Atlas_result& result, const Image& image)
+      : m_file(result.file), m_result(result), m_image(image)
   {
+    const Surface_file& file = result.file;
     if(std::all_of(color_names.begin(), color_names.end(),
                    [&](auto name) { return file.properties.count(name) > 0; }))
       for(const char* const name : color_names)
@@ -115,25 +117,59 @@ private:
   Point m_low, m_high;
 };
 
-// Computes the charts, the UV coordinates and the texture.
-Atlas_result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& image,
+// Returns a mesh whose vertices are surfels, with the normals and properties of these surfels.
+Surface_file
+reconstructed_file(const Mesh& mesh,
+                   const Mesh::Property_map<Mesh::Vertex_index, GP::Location<Cloud>>& locations,
+                   const Surface_file& cloud)
+{
+  Surface_file result = to_file(mesh);
+  for(const auto v : mesh.vertices())
+  {
+    const std::size_t surfel = locations[v].surfel;
+    result.normals.push_back(cloud.normals[surfel]);
+    for(const auto& [name, values] : cloud.properties)
+      result.properties[name].push_back(values[surfel]);
+  }
+  return result;
+}
+
+// Computes the charts, the UV coordinates and the texture. A cloud is reconstructed first.
+Atlas_result make_atlas(const Surface& surface, const Atlas_options& options, const Image& image,
                         Job& job)
 {
-  job.begin_stage("query");
-  const Surface_file& file = job.surface().file;
+  Mesh mesh = surface.is_mesh() ? make_mesh(surface) : Mesh();
+  const auto corner_uv = mesh.add_property_map<Mesh::Halfedge_index, UV>("h:uv").first;
+  const auto charts = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:chart").first;
+  const auto np = GP::parameters::texture_size(options.texels)
+                      .gutter_width(options.gutter)
+                      .maximum_number_of_iterations(unsigned(options.iterations))
+                      .chart_map(charts)
+                      .random_seed(job.seed())
+                      .number_of_threads(job.threads())
+                      .callback(job.progress_callback("charts"));
   Atlas_result result;
-  std::vector<UV> uv(mesh.number_of_halfedges());
-  result.charts.assign(file.number_of_polygons(), -1);
-  const Value_map<Mesh::Halfedge_index, UV> corner_uv = {&uv};
-  const GP::Texture_atlas atlas = GP::texture_atlas<GP::Euclidean_front, CGAL::Parallel_tag>(
-      mesh, options.number_of_charts, corner_uv,
-      GP::parameters::texture_size(options.texels)
-          .gutter_width(options.gutter)
-          .maximum_number_of_iterations(unsigned(options.iterations))
-          .chart_map(Label_map<Mesh::Face_index>{&result.charts})
-          .random_seed(job.seed())
-          .number_of_threads(job.threads())
-          .callback(job.progress_callback("charts")));
+  GP::Texture_atlas atlas;
+  if(surface.is_mesh())
+  {
+    job.begin_stage("query");
+    atlas = GP::texture_atlas<GP::Euclidean_front, CGAL::Parallel_tag>(
+        mesh, options.number_of_charts, corner_uv, np);
+    result.file = surface.file;
+  }
+  else
+  {
+    const auto locations =
+        mesh.add_property_map<Mesh::Vertex_index, GP::Location<Cloud>>("v:location").first;
+    const Cloud cloud = make_cloud(surface);
+    const Cloud_domain domain = make_domain(cloud, job);
+    job.begin_stage("query");
+    atlas = GP::texture_atlas<GP::Euclidean_front, CGAL::Parallel_tag>(
+        domain, options.number_of_charts, mesh, corner_uv, np.location_map(locations));
+    result.file = reconstructed_file(mesh, locations, surface.file);
+  }
+  const Surface_file& file = result.file;
+  result.charts.assign(charts.begin(), charts.end());
   const GP::Flattening_distortion distortion = GP::flattening_distortion(mesh, corner_uv);
   job.report("charts", atlas.number_of_charts);
   job.report("flips", atlas.number_of_flips);
@@ -151,10 +187,10 @@ Atlas_result make_atlas(const Mesh& mesh, const Atlas_options& options, const Im
       const std::size_t face(mesh.face(h));
       for(std::size_t corner = 3 * face; corner < 3 * face + 3; ++corner)
         if(file.corners[corner] == std::size_t(mesh.target(h)))
-          result.corner_uv[corner] = uv[h];
+          result.corner_uv[corner] = corner_uv[h];
     }
 
-  const Surface_painter paint(file, result, image);
+  const Surface_painter paint(result, image);
   const auto texels = GP::bake_atlas(
       mesh, corner_uv,
       [&](const auto& location)
@@ -213,11 +249,9 @@ void run_atlas(Job& job, const Atlas_options& options)
 {
   check(job, options);
   const Surface& surface = job.read({"obj", "gltf", "glb"});
-  if(!surface.is_mesh())
-    throw Input_error(surface.name + ": atlas needs a mesh, but the input is a cloud.");
   const Image image = options.image.empty() ? Image() : read_image(options.image);
   job.begin_stage("prepare");
-  const Atlas_result result = make_atlas(make_mesh(surface), options, image, job);
+  const Atlas_result result = make_atlas(surface, options, image, job);
 
   job.begin_stage("write");
   job.write_values(
@@ -230,7 +264,7 @@ void run_atlas(Job& job, const Atlas_options& options)
         return text;
       });
   Surface_file file =
-      options.draws_plane ? to_texture_plane(surface.file, result.corner_uv) : surface.file;
+      options.draws_plane ? to_texture_plane(result.file, result.corner_uv) : result.file;
   file.corner_uv = result.corner_uv;
   if(!job.picture().empty())
   {
@@ -248,10 +282,15 @@ void run_atlas(Job& job, const Atlas_options& options)
 void add_atlas(CLI::App& program)
 {
   Command command(program, "atlas",
-                  "compute a texture atlas: cut the mesh into charts, flatten and pack them");
+                  "compute a texture atlas: cut the mesh into charts, flatten and pack them; a "
+                  "cloud is first reconstructed as a mesh");
   const auto job = std::make_shared<Job>(command);
   command.describe("--output",
-                   "write the mesh with UV coordinates and its texture: .obj .gltf .glb");
+                   "write the mesh, or the mesh that is reconstructed from a cloud, with UV "
+                   "coordinates and its texture: .obj .gltf .glb");
+  command.describe(
+      "--values",
+      "write the UV coordinates of three corners, one line per face of the output mesh");
   const auto options = std::make_shared<Atlas_options>();
   command.add("--number", options->number_of_charts, "N",
               "initial number of charts; more are added if necessary");
@@ -267,7 +306,7 @@ void add_atlas(CLI::App& program)
            "maximum number of iterations that move the chart centers")
       .shows_default();
   command.add_flag("--flat", options->draws_plane,
-                   "write and draw the flattened charts instead of the input");
+                   "write and draw the flattened charts instead of the surface");
   command.set_callback([job, options] { run_atlas(*job, *options); });
 }
 

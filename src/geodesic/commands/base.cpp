@@ -34,14 +34,6 @@ struct Base_options : Remeshing_options
   double max_deviation = 0.; // 0: unlimited
 };
 
-const Surface& read_mesh(Job& job, const char* command_name)
-{
-  const Surface& surface = job.read();
-  if(!surface.is_mesh())
-    fail(surface.name, std::string(command_name) + " needs a mesh, but the input is a cloud");
-  return surface;
-}
-
 GP::Base_coordinates parse_coordinates(const std::string& word)
 {
   if(word == "heron")
@@ -92,8 +84,8 @@ Surface_file base_file(const Base_mesh& base)
   return result;
 }
 
-// Returns the input mesh subdivided along the edges of the base mesh. The face number "base_face"
-// stores the base face of each triangle.
+// Returns the input mesh, or the mesh reconstructed from a cloud, subdivided along the edges of the
+// base mesh. The face number "base_face" stores the base face of each triangle.
 Surface_file divided_file(const Base_mesh& base)
 {
   Surface_file result;
@@ -140,26 +132,29 @@ void draw_base_mesh(const std::string& filename, const Base_mesh& base, bool sho
   draw(filename, picture);
 }
 
-void run_base(Job& job, const Base_options& options)
+// Computes the base mesh and the location of each vertex or surfel, and writes the results.
+template <typename Surface_type>
+void compute_base(const Surface_type& surface, const Base_options& options, Job& job)
 {
-  const Surface& surface = read_mesh(job, "base");
-  job.begin_stage("prepare");
-  const Mesh mesh = make_mesh(surface);
+  const auto domain = make_domain(surface, job);
   job.begin_stage("query");
-  const GP::Base_parameterization<Mesh> base(mesh, options.number, base_parameters(options, job));
+  const GP::Base_parameterization<Surface_type> base(domain, options.number,
+                                                     base_parameters(options, job));
   report(job, base.number_of_base_vertices(), base.number_of_base_faces(), base.number_of_flips());
   job.result()["repaired_faces"] = base.number_of_repaired_faces();
   job.print_line("repaired        " + std::to_string(base.number_of_repaired_faces()));
 
   std::string text;
-  for(const auto v : mesh.vertices())
+  for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
   {
-    if(mesh.is_isolated(v))
-    {
-      text += "-1 nan nan nan\n";
-      continue;
-    }
-    const GP::Base_location location = base(v);
+    const auto vertex = vertex_at<Surface_type>(i);
+    if constexpr(is_mesh<Surface_type>)
+      if(surface.is_isolated(vertex))
+      {
+        text += "-1 nan nan nan\n";
+        continue;
+      }
+    const GP::Base_location location = base(vertex);
     text += std::to_string(location.face);
     for(const double coordinate : location.barycentric)
       text += ' ' + number_text(coordinate);
@@ -173,7 +168,46 @@ void run_base(Job& job, const Base_options& options)
   if(!job.output().empty())
     write_surface_file(job.output(),
                        options.is_divided ? divided_file(base_mesh) : base_file(base_mesh));
+}
+
+void run_base(Job& job, const Base_options& options)
+{
+  const Surface& surface = job.read();
+  job.begin_stage("prepare");
+  visit_surface(surface,
+                [&](const auto& mesh_or_cloud) { compute_base(mesh_or_cloud, options, job); });
   job.finish();
+}
+
+struct Semi_regular_mesh
+{
+  Surface_file file;
+  std::vector<std::size_t> levels; // #vertices
+  GP::Semi_regular_result found;
+};
+
+// Computes the mesh and the level of each vertex.
+template <typename Surface_type>
+Semi_regular_mesh find_semi_regular_mesh(const Surface_type& surface, const Base_options& options,
+                                         Job& job)
+{
+  const auto domain = make_domain(surface, job);
+  job.begin_stage("query");
+  Mesh mesh;
+  const auto level = mesh.add_property_map<Mesh::Vertex_index, std::size_t>("v:level").first;
+  const auto np = base_parameters(options, job)
+                      .level_map(level)
+                      .subdivision_scheme(options.use_quads ? GP::Subdivision_scheme::quads
+                                                            : GP::Subdivision_scheme::triangles);
+  Semi_regular_mesh result;
+  result.found = options.max_deviation > 0.
+                     ? GP::semi_regular_remeshing(domain, options.number, options.levels, mesh,
+                                                  np.maximum_deviation(options.max_deviation))
+                     : GP::semi_regular_remeshing(domain, options.number, options.levels, mesh, np);
+  result.file = to_file(mesh);
+  for(const auto v : mesh.vertices())
+    result.levels.push_back(level[v]);
+  return result;
 }
 
 void run_semiregular(Job& job, const Base_options& options)
@@ -182,43 +216,29 @@ void run_semiregular(Job& job, const Base_options& options)
     throw Usage_error("--maximum-deviation: the deviation must not be negative.");
   if(options.use_quads && options.max_deviation > 0.)
     throw Usage_error("--maximum-deviation and --quads cannot be combined.");
-  const Surface& surface = read_mesh(job, "semiregular");
+  const Surface& surface = job.read();
   job.begin_stage("prepare");
-  const Mesh mesh = make_mesh(surface);
-  job.begin_stage("query");
-  Mesh output;
-  const auto level = output.add_property_map<Mesh::Vertex_index, std::size_t>("v:level").first;
-  const auto np = base_parameters(options, job)
-                      .level_map(level)
-                      .subdivision_scheme(options.use_quads ? GP::Subdivision_scheme::quads
-                                                            : GP::Subdivision_scheme::triangles);
-  const GP::Semi_regular_result result =
-      options.max_deviation > 0.
-          ? GP::semi_regular_remeshing(mesh, options.number, options.levels, output,
-                                       np.maximum_deviation(options.max_deviation))
-          : GP::semi_regular_remeshing(mesh, options.number, options.levels, output, np);
-  Surface_file file;
-  std::string text;
-  for(const auto v : output.vertices())
-  {
-    file.points.push_back(coordinates(output.point(v)));
-    text += std::to_string(level[v]) + '\n';
-  }
-  for(const auto f : output.faces())
-  {
-    for(const auto v : vertices_around_face(output.halfedge(f), output))
-      file.corners.push_back(v);
-    file.polygon_begin.push_back(file.corners.size());
-  }
-  report(job, file.points.size(), file.number_of_polygons(), result.number_of_flips);
-  job.result()["levels"] = result.number_of_levels;
-  job.result()["base_faces"] = result.number_of_base_faces;
-  job.print_line("levels          " + std::to_string(result.number_of_levels));
+  Semi_regular_mesh result;
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { result = find_semi_regular_mesh(mesh_or_cloud, options, job); });
+  const Surface_file& file = result.file;
+  const GP::Semi_regular_result& found = result.found;
+  report(job, file.points.size(), file.number_of_polygons(), found.number_of_flips);
+  job.result()["levels"] = found.number_of_levels;
+  job.result()["base_faces"] = found.number_of_base_faces;
+  job.print_line("levels          " + std::to_string(found.number_of_levels));
   if(options.max_deviation > 0.)
-    job.report("deviation", result.deviation);
+    job.report("deviation", found.deviation);
 
   job.begin_stage("write");
-  job.write_values([&] { return text; });
+  job.write_values(
+      [&]
+      {
+        std::string text;
+        for(const std::size_t level : result.levels)
+          text += std::to_string(level) + '\n';
+        return text;
+      });
   if(!job.picture().empty())
   {
     // Pictures need triangles, so the edges of quadrilaterals are drawn separately.
@@ -260,19 +280,25 @@ void add_base_options(Command& command, Base_options& options)
 void add_base(CLI::App& program)
 {
   Command command(program, "base",
-                  "compute a base mesh of few triangles and the location of each vertex on it");
+                  "compute a base mesh of few triangles and the location of each vertex on it; a "
+                  "cloud is first reconstructed as a mesh");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Base_options>();
+  command.describe("--values",
+                   "write the base face and the barycentric coordinates in it, one line "
+                   "per vertex or surfel of the input");
   add_base_options(command, *options);
   command.add_flag("--divided", options->is_divided,
-                   "write and draw the input mesh subdivided by the base edges; the property "
-                   "base_face is the base face of each face");
+                   "write and draw the input or reconstructed mesh, subdivided by the "
+                   "base edges; the property base_face is the base face of each face");
   command.set_callback([job, options] { run_base(*job, *options); });
 }
 
 void add_semiregular(CLI::App& program)
 {
-  Command command(program, "semiregular", "remesh by uniform refinement of a base mesh");
+  Command command(program, "semiregular",
+                  "remesh by uniform refinement of a base mesh; a cloud is first reconstructed as "
+                  "a mesh");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Base_options>();
   add_base_options(command, *options);
@@ -280,8 +306,8 @@ void add_semiregular(CLI::App& program)
       .in_range(0, 8);
   command.add_flag("--quads", options->use_quads, "first split each base face into three quads");
   command.add("--maximum-deviation", options->max_deviation, "D",
-              "stop the refinement once each input vertex is within this distance of the point "
-              "with the same base coordinates");
+              "stop the refinement once each vertex of the input or reconstructed mesh is within "
+              "this distance of the point with the same base coordinates");
   command.set_callback([job, options] { run_semiregular(*job, *options); });
 }
 

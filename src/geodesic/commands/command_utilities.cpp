@@ -153,6 +153,20 @@ std::string labels_text(const std::vector<long long>& labels)
   return text;
 }
 
+Surface_file to_file(const Mesh& mesh)
+{
+  Surface_file result;
+  for(const auto v : mesh.vertices())
+    result.points.push_back(coordinates(mesh.point(v)));
+  for(const auto f : mesh.faces())
+  {
+    for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      result.corners.push_back(v);
+    result.polygon_begin.push_back(result.corners.size());
+  }
+  return result;
+}
+
 std::string points_text(const std::vector<Point>& points)
 {
   std::string text;

@@ -220,6 +220,9 @@ template <typename Domain>
 std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t number, Job& job,
                                            const std::vector<double>& speeds = {});
 
+// Returns the vertices and faces of a mesh.
+Surface_file to_file(const Mesh& mesh);
+
 // Returns the coordinates as text, one point per line.
 std::string points_text(const std::vector<Point>& points);
 

@@ -82,18 +82,10 @@ Remesh_result find_mesh(const Surface_type& surface, const Remesh_options& optio
                               .speed_map(speed_map<typename Domain::Vertex>(speed));
   Remesh_result result;
   result.found = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, parameters);
-  for(const auto v : mesh.vertices())
-  {
-    result.file.points.push_back(coordinates(mesh.point(v)));
-    if(!job.values().empty())
+  if(!job.values().empty())
+    for(const auto v : mesh.vertices())
       result.text += location_text(surface, get(locations, v)) + '\n';
-  }
-  for(const auto f : mesh.faces())
-  {
-    for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
-      result.file.corners.push_back(v);
-    result.file.polygon_begin.push_back(result.file.corners.size());
-  }
+  result.file = to_file(mesh);
   return result;
 }
 

@@ -198,18 +198,19 @@ void add_options(Command& command, Transport_options& options)
 {
   add_query_options(command, options);
   command.add_flag("--bound-above", options.bound_above,
-                   "also compute an upper bound for flows on the surface itself");
+                   "also compute an upper bound for flows on the surface itself, which must be a "
+                   "mesh");
   command.add_flag(
       "--hodge", options.hodge,
-      "also write the Hodge decomposition of the flow: gradient, rotation and harmonic "
-      "part");
+      "also write the Hodge decomposition of the flow: gradient, rotation and harmonic field, or "
+      "on a cloud gradient and remainder");
   add_speed_options(command, options.speed_options);
 }
 
 void check(const Transport_options& options, const Surface& surface)
 {
-  if(!surface.is_mesh() && (options.bound_above || options.hodge))
-    fail(surface.name, "--bound-above and --hodge need a mesh");
+  if(!surface.is_mesh() && options.bound_above)
+    fail(surface.name, "--bound-above needs a mesh, but the input is a cloud");
 }
 
 void check(const Transport_options& options)
@@ -328,17 +329,16 @@ void copy_solution(const GP::Transport_solution<Surface_type>& solution,
 }
 
 template <typename Domain, typename Surface_type>
-void add_hodge_decomposition([[maybe_unused]] const Domain& domain,
-                             [[maybe_unused]] const Surface_type& surface,
-                             [[maybe_unused]] const Transport_options& options,
-                             [[maybe_unused]] Transport_result& result)
+void add_hodge_decomposition(const Domain& domain, const Surface_type& surface,
+                             const Transport_options& options, Transport_result& result)
 {
+  if(!options.hodge)
+    return;
+  const auto map = [&](const char* name) { return vector_map(result.fields[name], surface); };
   if constexpr(is_mesh<Surface_type>)
-    if(options.hodge)
-      GP::hodge_decomposition(domain, vector_map(result.fields["flow"], surface),
-                              vector_map(result.fields["gradient"], surface),
-                              vector_map(result.fields["rotation"], surface),
-                              vector_map(result.fields["harmonic"], surface));
+    GP::hodge_decomposition(domain, map("flow"), map("gradient"), map("rotation"), map("harmonic"));
+  else
+    GP::hodge_decomposition(domain, map("flow"), map("gradient"), map("remainder"));
 }
 
 template Mass_distribution distribution(const Mesh_domain&, const Masses&);

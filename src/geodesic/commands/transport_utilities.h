@@ -179,7 +179,8 @@ template <typename Surface_type>
 void copy_solution(const GP::Transport_solution<Surface_type>& solution,
                    const Surface_type& surface, const Job& job, Transport_result& result);
 
-// Adds the gradient, rotation and harmonic part of the flow if the decomposition is requested.
+// Adds the components of the flow if the decomposition is requested: the gradient, the rotation and
+// the harmonic field on a mesh, the gradient and the remainder on a cloud.
 template <typename Domain, typename Surface_type>
 void add_hodge_decomposition(const Domain& domain, const Surface_type& surface,
                              const Transport_options& options, Transport_result& result);
