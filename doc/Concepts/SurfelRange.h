@@ -23,8 +23,10 @@ named parameters:
 The range and the maps are read when a domain is constructed. Afterwards they can be changed or
 destroyed.
 
-Sources and results use the position of a surfel in the range (`std::size_t`). If the range is a
-`CGAL::Point_set_3`, they use its own indices and property maps. Computed points and vectors are of the
+The elements are the keys of these three maps only. In sources, results and all other property maps, the
+position of a surfel in the range (`std::size_t`) represents it. A map of a vector with one value for each
+surfel, as `CGAL::make_property_map()` returns it, is therefore a speed map or an output map. If the range
+is a `CGAL::Point_set_3`, its own indices represent the surfels. Computed points and vectors are of the
 kernel of the elements. If the elements have none, it is named by
 `CGAL::Geodesic_processing::Surfel_kernel`.
 

@@ -50,8 +50,8 @@ struct Geodesic_departure
 /// of the one-ring of each vertex.  This takes less time than a query on the whole mesh.  Together
 /// with the result, it takes about 280 bytes per vertex in addition to the domain.
 ///
-/// Members that write a property map take O(n) time. Other members that do not state their time
-/// take O(1) time.
+/// Before the first computation, no vertex or surfel is reached. Members that write a property map
+/// take O(n) time. Other members that do not state their time take O(1) time.
 ///
 /// \tparam Surface as for `geodesic_distances()`, but not a domain
 /// \tparam Method as for `geodesic_distances()`
@@ -115,6 +115,8 @@ public:
   ///     \cgalParamType{a model of `ReadablePropertyMap` with vertices or surfels as keys and
   ///       `double` values}
   ///     \cgalParamDefault{1 everywhere}
+  ///     \cgalParamExtra{With speeds, all distances, also `maximum_distance` and the offsets of
+  ///       sources, are travel times.}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{face_speed_map}
   ///     \cgalParamDescription{the speed of the front in the faces of a mesh, finite and not
@@ -125,8 +127,9 @@ public:
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{relative_tolerance}
   ///     \cgalParamDescription{a fraction, not negative. If it is positive, `Exact` merges similar
-  ///       windows, and `lower()` and `upper()` differ by at most this fraction of `lower()`, which
-  ///       `maximum_distance` bounds. On fine smooth meshes this takes a fifth of the time}
+  ///       windows, which takes a fifth of the time on fine smooth meshes. The difference of
+  ///       `lower()` and `upper()` is then at most this fraction of `lower()`. `maximum_distance`
+  ///       is a bound of `lower()`}
   ///     \cgalParamType{`double`}
   ///     \cgalParamDefault{0: exact distances}
   ///   \cgalParamNEnd
@@ -178,8 +181,9 @@ public:
   /// Returns a certified lower bound of the exact polyhedral distance of a vertex, up to round-off
   /// errors; +infinity if no source reaches it.  It equals `upper()` unless the computation had a
   /// `relative_tolerance`; then `distance()` is the mean of both.
+  /// The method must be `Exact` or `Automatic`, otherwise the call does not compile.
   /// \param vertex a vertex of the mesh
-  /// \throws Unsupported_surface_error if the last computation did not use `Exact`
+  /// \throws Unsupported_surface_error if `Automatic` did not use `Exact` in the last computation
   double lower(Vertex vertex) const { return scale() * windows().lower(m_domain.index(vertex)); }
   /// Returns a certified upper bound, as `lower()`.  It is the length of a path.
   /// \param vertex a vertex of the mesh
@@ -224,8 +228,9 @@ public:
   /// Returns the label of the nearest source; the largest `std::size_t` if no source reaches
   /// `vertex`.
   std::size_t source_label(Vertex vertex) const { return label(m_domain.index(vertex)); }
-  /// Returns a neighbor that is closer to the source and next to which the shortest path arrives.
-  /// Returns `vertex` itself at sources, and if no source reaches it.
+  /// Returns a neighbor that is closer to the source.  The shortest path arrives through a triangle
+  /// with this neighbor, or along the edge to it.  Returns `vertex` itself at sources, and if no
+  /// source reaches it.
   Vertex predecessor(Vertex vertex) const
   {
     return m_domain.vertex(predecessor_index(m_domain.index(vertex)));
@@ -270,8 +275,8 @@ public:
   }
 
   /// Returns all shortest paths from a vertex or location to the sources, but at most 64 paths.
-  /// On the cut locus, there are two or more.  Takes time proportional to the number of visited
-  /// faces.
+  /// On the cut locus, there are two or more.  The method must be `Exact` or `Automatic`.  Takes
+  /// time proportional to the number of visited faces.
   ///
   /// \tparam QueryLocation a vertex or a location
   /// \param from a vertex or a location
@@ -285,8 +290,8 @@ public:
   ///     \cgalParamDefault{1e-9}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Unsupported_surface_error if the last computation did not use `Exact` without a
-  ///         relative tolerance
+  /// \throws Unsupported_surface_error if `Automatic` did not use `Exact` in the last computation,
+  ///         or if there was a relative tolerance
   /// \throws Invalid_argument_error if the location is not on the mesh
   template <typename QueryLocation, typename NamedParameters = internal::Default_parameters>
   std::vector<Surface_path<Surface>>
@@ -300,12 +305,12 @@ public:
       result.push_back(internal::surface_path(m_domain, path, distance));
     return result;
   }
-  /// Returns the departure of the shortest path to a vertex or location from its source.  Takes
-  /// time proportional to the number of visited faces.
+  /// Returns the departure of the shortest path to a vertex or location from its source.  The
+  /// method must be `Exact` or `Automatic`.  Takes time proportional to the number of visited faces.
   /// \tparam QueryLocation a vertex or a location
   /// \param to a vertex or a location
-  /// \throws Unsupported_surface_error if the last computation did not use `Exact` without a
-  ///         relative tolerance
+  /// \throws Unsupported_surface_error if `Automatic` did not use `Exact` in the last computation,
+  ///         or if there was a relative tolerance
   /// \throws Invalid_argument_error if the location is not on the mesh
   template <typename QueryLocation>
   Geodesic_departure<Surface> departure(const QueryLocation& to) const

@@ -154,10 +154,13 @@ template <typename Surface>
 using Surface_of = typename internal::Surface_of_domain<Surface>::type;
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// a location on a surface: `Polygon_mesh_processing::Face_location` on a mesh, that is, a face and
-/// three barycentric coordinates; `Surfel_location` on a cloud. The functions of
-/// `CGAL/Polygon_mesh_processing/locate.h` accept it; this file does not include that header, which
-/// includes the AABB tree.
+/// a location on a surface. On a mesh it is `Polygon_mesh_processing::Face_location`: a face and
+/// three barycentric coordinates. These belong to the source of `halfedge(face, mesh)`, to its
+/// target, and to the third corner, in this order. On a cloud it is a `Surfel_location`.
+///
+/// `point()` of a domain returns its point. The functions of
+/// `CGAL/Polygon_mesh_processing/locate.h` also accept a location on a mesh; this file does not
+/// include that header, which includes the AABB tree.
 template <typename Surface>
 using Location = typename internal::Surface_traits<Surface>::Location;
 

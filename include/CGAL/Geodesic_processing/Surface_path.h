@@ -24,7 +24,9 @@ struct Surface_path
   std::vector<Location> locations; ///< the vertices of the polyline; empty if there is no path
   std::vector<Point_3> points;     ///< the positions of the locations in space
   double length = 0.;              ///< the length of the polyline
-  double front_distance = 0.;      ///< the distance of the method; +infinity if there is no path
+  /// the distance that the method computes; +infinity if there is no path. With speeds it is a
+  /// travel time, and the other members remain lengths
+  double front_distance = 0.;
   /// a certified lower bound of the length of all paths between its ends: for shortest paths by
   /// `Exact` its length minus round-off errors, otherwise the straight distance in space
   double lower = 0.;

@@ -27,15 +27,17 @@ namespace CGAL::Geodesic_processing {
 /// \ingroup PkgGeodesicProcessingPaths
 ///
 /// A path on a surfel cloud.  Each location refers to the surfel nearest to it on the same sheet.
-/// `length` is the length of the polyline and at most `initial_length`.  `front_distance` is the
-/// length of the smooth curve through its points: the geodesic distance.
+/// `length` is the length of the polyline, which cuts corners, and at most `initial_length`.
+/// `front_distance` is the length of the smooth curve through its points, and the more accurate
+/// estimate of the geodesic distance.
 template <typename SurfelRange>
 struct Surfel_path : Surface_path<SurfelRange>
 {
   /// The surfels of the graph path from which the minimization starts.
   std::vector<typename internal::Surface_traits<SurfelRange>::Vertex> initial_path;
-  /// The length of that graph path.  If the shortened path is longer, because graph edges do not
-  /// follow the surface, it is the length of the smooth curve along the graph path.
+  /// The length of a smooth curve along the graph path.  Arcs between consecutive surfels form the
+  /// curve.  If the shortened path is longer, because the arcs do not follow the surface, the curve
+  /// is projected to the surface instead.
   double initial_length = 0.;
   std::size_t number_of_control_points = 0; ///< the curve has about four points per control point
   std::vector<Path_energy_level> levels;    ///< the levels of the minimization, from coarse to fine

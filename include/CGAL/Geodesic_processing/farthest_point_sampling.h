@@ -94,7 +94,8 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
 /// \param surface as for `geodesic_distances()`
 /// \param number the number of samples to add. With `std::numeric_limits<std::size_t>::max()`,
 ///        samples are added until the covering radius is reached
-/// \param samples an output iterator that takes `Location<Surface>`
+/// \param samples an output iterator that takes `Location<Surface>`. On a cloud, samples are
+///        surfels: the offsets of their locations are zero
 /// \param np parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin

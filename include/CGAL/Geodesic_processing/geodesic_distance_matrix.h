@@ -99,14 +99,15 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///     \cgalParamDefault{the number of hardware threads}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a function that is called with the completed fraction, by one thread
-///       at a time; if it returns false, the function throws `Cancelled`}
+///     \cgalParamDescription{a function that is called with the completed fraction before each row,
+///       by one thread at a time; if it returns false, the function throws `Cancelled`}
 ///     \cgalParamType{`std::function<bool(double)>`}
 ///     \cgalParamDefault{no callback}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// and `speed_map`, `face_speed_map` and `relative_tolerance` as for
-/// `Geodesic_distance_solver::compute()`.
+/// `Geodesic_distance_solver::compute()`.  With a relative tolerance, an entry is the mean of the
+/// lower and the upper bound.
 ///
 /// \returns a matrix with one row per source and one column per target; an entry is +infinity if
 ///          the source does not reach the target.  With approximate methods, it is symmetric only

@@ -36,8 +36,8 @@ namespace CGAL::Geodesic_processing {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{predecessor_map}
 ///     \cgalParamDescription{receives, for each vertex or surfel, a neighbor that is closer to the
-///       source and next to which the shortest path arrives. At sources, and if no source reaches
-///       the vertex or surfel, it receives the vertex or surfel itself}
+///       source. The shortest path arrives through a triangle with this neighbor, or along the edge
+///       to it. Sources, and vertices or surfels that no source reaches, receive themselves}
 ///     \cgalParamType{a model of `WritablePropertyMap` with vertices or surfels as keys and
 ///       vertices or surfels as values}
 ///     \cgalParamDefault{nothing is written}

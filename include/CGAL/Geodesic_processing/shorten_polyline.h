@@ -109,7 +109,7 @@ shorten_polyline(const PointRange& polyline, const SquaredDistance& squared_dist
 /// \param surface as for `geodesic_distances()`
 /// \param polyline a range of at least two vertices, surfels, locations or points. A point stands
 ///        for the closest location on the surface
-/// \param np the named parameters of `Geodesic_path_finder`
+/// \param np `vertex_point_map` on a mesh, the named parameters of `Surfel_path_finder` on a cloud
 /// \returns the path, as `Geodesic_path_finder`; empty if two consecutive locations are not
 ///        connected
 /// \throws Invalid_argument_error if there are fewer than two locations, or if one is invalid
