@@ -8,6 +8,7 @@
 
 #include "Mesh_of.h"
 
+#include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
 
 #include <gtest/gtest.h>

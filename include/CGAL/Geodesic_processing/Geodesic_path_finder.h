@@ -7,9 +7,13 @@
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/distances/Shortest_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
+#include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/shorten_polyline.h>
 
+#include <iterator>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL::Geodesic_processing {
 
@@ -41,7 +45,8 @@ Surface_path<typename Domain::Surface> surface_path(const Domain& domain, const 
 /// On a cloud, paths are those of `Surfel_path_finder`, which minimizes an energy.  `initial_path`
 /// of a result is the graph path from which the minimization starts.
 ///
-/// Copies share the domain, and different copies can be used concurrently.
+/// Queries use the memory of the finder, so they are not `const`.  Copies share the domain, and
+/// different copies can be used concurrently.
 ///
 /// \tparam Surface as for `geodesic_distances()`, but not a domain
 template <typename Surface>
@@ -150,6 +155,48 @@ private:
   Domain m_domain;
   Finder m_finder;
 };
+
+/// \ingroup PkgGeodesicProcessingPaths
+///
+/// Shortens a polyline on a mesh or a cloud to a locally shortest path with the same ends.
+///
+/// The path stays near the polyline: on a mesh it has the same homotopy type. Consecutive points of
+/// the polyline need not be close to each other, since short paths join them first.
+///
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Polyline a range of vertices, surfels, `Location<Surface>` or points of any kernel
+/// \param surface as for `geodesic_distances()`
+/// \param polyline a range of at least two vertices, surfels, locations or points. A point stands
+///        for the closest location on the surface
+/// \param np `vertex_point_map` on a mesh, the named parameters of `Surfel_path_finder` on a cloud
+/// \returns the path, as `Geodesic_path_finder`; empty if two consecutive locations are not
+///        connected
+/// \throws Invalid_argument_error if there are fewer than two locations, or if one is invalid
+///
+/// The time is that of a query of `Geodesic_path_finder` for each pair of consecutive locations,
+/// after `make_domain()`. For many polylines on one surface, use `Geodesic_path_finder::shorten()`.
+template <typename Surface, typename Polyline,
+          typename NamedParameters = internal::Default_parameters,
+          std::enable_if_t<!internal::is_function_of_points<Polyline, Surface>, bool> = true>
+Geodesic_path<Surface_of<Surface>> shorten_polyline(const Surface& surface,
+                                                    const Polyline& polyline,
+                                                    const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(surface, np);
+  using Domain = std::decay_t<decltype(domain)>;
+  using Element = std::decay_t<decltype(*std::begin(polyline))>;
+  Geodesic_path_finder<Surface_of<Surface>> finder(domain, np);
+  if constexpr(internal::is_vertex_or_location<Domain, Element>)
+    return finder.shorten(polyline);
+  else
+  {
+    const Surface_locator<Surface_of<Surface>> locate(domain);
+    std::vector<typename Domain::Location> locations;
+    for(const Element& point : polyline)
+      locations.push_back(locate(point));
+    return finder.shorten(locations);
+  }
+}
 
 } // namespace CGAL::Geodesic_processing
 

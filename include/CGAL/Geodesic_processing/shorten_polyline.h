@@ -3,9 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_SHORTEN_POLYLINE_H
 #define CGAL_GEODESIC_PROCESSING_SHORTEN_POLYLINE_H
 
-#include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/path_options.h>
-#include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 
 #include <CGAL/number_utils.h>
@@ -38,17 +36,19 @@ inline constexpr bool
 template <typename Point>
 struct Shortened_polyline
 {
-  std::vector<Point> points; ///< points on the surface, about four per control point
-  double length = 0.;        ///< the length of the polyline through the points
-  double distance = 0.;      ///< the length of the smooth curve through the points
-  std::size_t number_of_control_points = 0;
-  std::vector<Path_energy_level> levels; ///< the levels of the minimization, from coarse to fine
+  std::vector<Point> points;                ///< points on the surface, about four per control point
+  double length = 0.;                       ///< the length of the polyline through the points
+  double distance = 0.;                     ///< the length of the smooth curve through the points
+  std::size_t number_of_control_points = 0; ///< of the finest level
+  std::vector<Path_energy_level> levels;    ///< the levels of the minimization, from coarse to fine
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
 /// Shortens a polyline near a surface to a geodesic by minimizing an energy
 /// \cgalCite{cgal:rdsk-asg-06}.
+///
+/// On a mesh or a cloud, use the overload in `CGAL/Geodesic_processing/Geodesic_path_finder.h`.
 ///
 /// It is the energy that `Surfel_path_finder` minimizes with `Surfel_path_method::disks`.  The
 /// surface can be any surface for which squared distances can be computed.  Examples are a triangle
@@ -95,48 +95,6 @@ shorten_polyline(const PointRange& polyline, const SquaredDistance& squared_dist
   result.number_of_control_points = path.number_of_control_points;
   result.levels = path.levels;
   return result;
-}
-
-/// \ingroup PkgGeodesicProcessingPaths
-///
-/// Shortens a polyline on a mesh or a cloud to a locally shortest path with the same ends.
-///
-/// The path stays near the polyline: on a mesh it has the same homotopy type. Consecutive points of
-/// the polyline need not be close to each other, since short paths join them first.
-///
-/// \tparam Surface as for `geodesic_distances()`
-/// \tparam Polyline a range of vertices, surfels, `Location<Surface>` or points of any kernel
-/// \param surface as for `geodesic_distances()`
-/// \param polyline a range of at least two vertices, surfels, locations or points. A point stands
-///        for the closest location on the surface
-/// \param np `vertex_point_map` on a mesh, the named parameters of `Surfel_path_finder` on a cloud
-/// \returns the path, as `Geodesic_path_finder`; empty if two consecutive locations are not
-///        connected
-/// \throws Invalid_argument_error if there are fewer than two locations, or if one is invalid
-///
-/// The time is that of a query of `Geodesic_path_finder` for each pair of consecutive locations,
-/// after `make_domain()`. For many polylines on one surface, use `Geodesic_path_finder::shorten()`.
-template <typename Surface, typename Polyline,
-          typename NamedParameters = internal::Default_parameters,
-          std::enable_if_t<!internal::is_function_of_points<Polyline, Surface>, bool> = true>
-Geodesic_path<Surface_of<Surface>> shorten_polyline(const Surface& surface,
-                                                    const Polyline& polyline,
-                                                    const NamedParameters& np = NamedParameters())
-{
-  const auto domain = make_domain(surface, np);
-  using Domain = std::decay_t<decltype(domain)>;
-  using Element = std::decay_t<decltype(*std::begin(polyline))>;
-  Geodesic_path_finder<Surface_of<Surface>> finder(domain, np);
-  if constexpr(internal::is_vertex_or_location<Domain, Element>)
-    return finder.shorten(polyline);
-  else
-  {
-    const Surface_locator<Surface_of<Surface>> locate(domain);
-    std::vector<typename Domain::Location> locations;
-    for(const Element& point : polyline)
-      locations.push_back(locate(point));
-    return finder.shorten(locations);
-  }
 }
 
 } // namespace CGAL::Geodesic_processing
