@@ -4,6 +4,7 @@
 // Calls that must not compile. The compiler must print the sentence in the comment above each call;
 // supported_surfaces.cmake checks it. Without REJECTED, the file compiles.
 #include <CGAL/Geodesic_processing/earth_movers_distance.h>
+#include <CGAL/Geodesic_processing/exponential_map.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
@@ -46,6 +47,12 @@ void call(Mesh& mesh, Cloud& cloud)
   GP::earth_movers_distance(mesh, numbers, numbers);
   // REASON: corner_uv_map is a property map with halfedges as keys
   GP::texture_atlas(mesh, 10, distances);
+  // REASON: An output map is a property map with vertices as keys
+  GP::geodesic_distances(mesh, v, of_faces);
+  // REASON: An output map is a property map with surfels as keys
+  GP::geodesic_distances(cloud, *cloud.begin(), numbers);
+  // REASON: A tangent vector has two components
+  GP::exponential_map(mesh, v, Kernel::Vector_3(1., 0., 0.));
   // REASON: A cloud has no faces
   GP::geodesic_distances(cloud, *cloud.begin(), of_surfels,
                          GP::parameters::face_speed_map(of_faces));

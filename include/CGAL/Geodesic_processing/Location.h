@@ -7,6 +7,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cstddef>
@@ -33,8 +34,8 @@ class Surfel_domain;
 template <typename Surfel>
 struct Surfel_location
 {
-  Surfel surfel{};
-  std::array<double, 2> offset = {0., 0.};
+  Surfel surfel{};                         ///< the surfel
+  std::array<double, 2> offset = {0., 0.}; ///< the components along the two axes
 };
 
 namespace internal {
@@ -129,6 +130,14 @@ struct Surface_traits<Point_set_3<Point, Vector>, true>
   using Point_3 = Point;
   using Vector_3 = Vector;
 };
+
+// Whether a type is a property map that has values for descriptors of this type.
+template <typename PropertyMap, typename Descriptor, typename = void>
+inline constexpr bool is_keyed_by = false;
+template <typename PropertyMap, typename Descriptor>
+inline constexpr bool is_keyed_by<
+    PropertyMap, Descriptor, std::void_t<typename boost::property_traits<PropertyMap>::key_type>> =
+    std::is_convertible_v<Descriptor, typename boost::property_traits<PropertyMap>::key_type>;
 
 template <typename Surface>
 struct Surface_of_domain

@@ -97,6 +97,9 @@ public:
   template <typename Values, typename PropertyMap>
   void write(const Values& values, PropertyMap map) const
   {
+    static_assert(internal::is_keyed_by<PropertyMap, Vertex>,
+                  "An output map is a property map with vertices as keys. "
+                  "CGAL::make_property_map() makes a map of a vector.");
     using Value = typename boost::property_traits<PropertyMap>::value_type;
     for(internal::Index i = 0; i < number_of_vertices(); ++i)
       put(map, m_data->vertices[i], static_cast<Value>(values(i)));

@@ -63,7 +63,8 @@ public:
   ///     \cgalParamDefault{the normal map of a `Point_set_3`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{radius_map}
-  ///     \cgalParamDescription{the radii of the surfels}
+  ///     \cgalParamDescription{the radii of the surfels. The property `"radius"` that
+  ///       `estimate_surfels()` adds to a `Point_set_3` is not used unless it is passed}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of the range as keys and
   ///       `double` as values}
   ///     \cgalParamDefault{the distance to the 8th neighbor, divided by the square root of two}
@@ -105,6 +106,9 @@ public:
   template <typename Values, typename PropertyMap>
   void write(const Values& values, PropertyMap map) const
   {
+    static_assert(internal::is_keyed_by<PropertyMap, Vertex>,
+                  "An output map is a property map with surfels as keys. "
+                  "CGAL::make_property_map() makes a map of a vector.");
     using Value = typename boost::property_traits<PropertyMap>::value_type;
     for(std::size_t i = 0; i < number_of_vertices(); ++i)
       put(map, m_data->descriptors[i],

@@ -24,14 +24,6 @@ namespace CGAL::Geodesic_processing::internal {
 // #triangles: 1 / speed of each triangle; null if the speed is 1 everywhere.
 using Shared_slowness = std::shared_ptr<const std::vector<double>>;
 
-// Whether a type is a property map that can be read at descriptors of this type.
-template <typename PropertyMap, typename Descriptor, typename = void>
-inline constexpr bool is_keyed_by = false;
-template <typename PropertyMap, typename Descriptor>
-inline constexpr bool is_keyed_by<
-    PropertyMap, Descriptor, std::void_t<typename boost::property_traits<PropertyMap>::key_type>> =
-    std::is_convertible_v<Descriptor, typename boost::property_traits<PropertyMap>::key_type>;
-
 // Reads the speeds of vertices or surfels. An empty optional stands for no map.
 template <typename Domain, typename SpeedMap>
 Shared_slowness vertex_slowness(const Domain& domain, const SpeedMap& speed)

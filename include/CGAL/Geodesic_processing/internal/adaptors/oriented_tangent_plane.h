@@ -18,6 +18,8 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -45,10 +47,18 @@ Oriented_tangent_plane oriented_tangent_plane(const Domain& domain, const Vertex
   return result;
 }
 
+template <typename T, typename = void>
+inline constexpr bool has_z = false;
+template <typename T>
+inline constexpr bool has_z<T, std::void_t<decltype(std::declval<const T&>().z())>> = true;
+
 // Reads a vector of the tangent plane.  Throws Invalid_argument_error if it is not finite.
 template <typename TangentVector>
 std::array<double, 2> tangent_vector(const TangentVector& vector)
 {
+  static_assert(!has_z<TangentVector>,
+                "A tangent vector has two components, along the axes of Tangent_frame. "
+                "straightest_geodesic() accepts directions in space.");
   const std::array<double, 2> result = {CGAL::to_double(vector[0]), CGAL::to_double(vector[1])};
   if(!std::isfinite(std::hypot(result[0], result[1])))
     throw Invalid_argument_error("A tangent vector is not finite.");

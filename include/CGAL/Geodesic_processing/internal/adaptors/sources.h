@@ -38,20 +38,22 @@ inline constexpr bool names_location = std::is_same_v<T, typename Domain::Locati
                                        (std::is_convertible_v<T, typename Domain::Vertex> &&
                                         !std::is_floating_point_v<T>);
 
-// Does not compile unless `names_location`.
+// Does not compile unless `names_location`. In a static_assert, the compiler prints the sentence
+// before the errors that follow from it.
 template <typename Domain, typename T>
-constexpr void require_location()
+constexpr bool require_location()
 {
   static_assert(names_location<Domain, T>,
                 "Pass vertices, surfels or locations of this surface. locate_on_surface() returns "
                 "the location of a point.");
+  return true;
 }
 
 // Converts a vertex or location of the caller to an internal location.
 template <typename Domain, typename VertexOrLocation>
 Surface_location location(const Domain& domain, const VertexOrLocation& element)
 {
-  require_location<Domain, VertexOrLocation>();
+  static_assert(require_location<Domain, VertexOrLocation>());
   if constexpr(std::is_same_v<VertexOrLocation, typename Domain::Location>)
     return domain.inner(element);
   else
@@ -69,7 +71,7 @@ inline constexpr bool is_vertex_or_location = std::is_same_v<T, typename Domain:
 template <typename Domain, typename Range>
 std::vector<Surface_location> locations(const Domain& domain, const Range& range)
 {
-  require_location<Domain, Element_of<Range>>();
+  static_assert(require_location<Domain, Element_of<Range>>());
   std::vector<Surface_location> result;
   if constexpr(is_vertex_or_location<Domain, Range>)
     result.push_back(location(domain, range));
@@ -116,7 +118,7 @@ std::vector<internal::Front_source> sources(const Domain& domain, const Sources&
 {
   using Source = Geodesic_processing::Source<typename Domain::Surface>;
   if constexpr(!std::is_constructible_v<Source, Element_of<Sources>>)
-    require_location<Domain, Element_of<Sources>>();
+    static_assert(require_location<Domain, Element_of<Sources>>());
   std::vector<internal::Front_source> result;
   const auto add = [&](const Source& item)
   {
