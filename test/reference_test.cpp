@@ -440,4 +440,25 @@ TEST(Reference, members_are_completely_documented)
   EXPECT_GE(number_of_members, 160u);
 }
 
+// A declaration of two names would leave one of them without documentation.
+bool declares_one_name(const std::string& declaration)
+{
+  return split_at_commas(declaration.substr(0, declaration.find('='))).size() == 1 &&
+         split_at_commas(declaration.substr(declaration.find_last_of('}') + 1)).size() == 1;
+}
+
+TEST(Reference, data_members_are_documented)
+{
+  std::size_t number_of_members = 0;
+  for(const auto& [file, header] : public_headers())
+    for(const Class& c : header.classes)
+      for(const Declaration& member : c.data)
+      {
+        ++number_of_members;
+        EXPECT_NE(member.documentation, "") << file << ": " << c.name << ": " << member.text;
+        EXPECT_TRUE(declares_one_name(member.text)) << file << ": " << member.text;
+      }
+  EXPECT_GE(number_of_members, 60u);
+}
+
 } // namespace reference_test

@@ -23,7 +23,8 @@ struct Declaration
 struct Class
 {
   std::string documentation, name;
-  std::vector<Declaration> members; // the public ones
+  std::vector<Declaration> members; // the public member functions
+  std::vector<Declaration> data;    // the public data members
 };
 
 struct Header
@@ -132,11 +133,10 @@ inline bool is_function(const std::string& text)
   return false;
 }
 
-// Reads the public member functions of a class whose body begins at a position.
-inline std::vector<Declaration> members_at(const std::vector<std::string>& lines,
-                                           std::size_t& position, bool is_public)
+// Reads the public members of a class whose body begins at a position.
+inline void read_members(const std::vector<std::string>& lines, std::size_t& position,
+                         bool is_public, Class& result)
 {
-  std::vector<Declaration> result;
   std::string documentation;
   bool is_in_group = false; // of members that the reference omits
   for(; position < lines.size() && !starts_with(lines[position], "};"); ++position)
@@ -157,17 +157,20 @@ inline std::vector<Declaration> members_at(const std::vector<std::string>& lines
        (std::isalpha(static_cast<unsigned char>(line[2])) != 0 || line[2] == '~'))
     {
       Declaration member{documentation, declaration_at(lines, position), {}};
+      if(const std::size_t comment = lines[position].find("///<"); comment != std::string::npos)
+        member.documentation += lines[position].substr(comment);
       member.body = lines[position] + '\n';
       while(position + 1 < lines.size() &&
             (starts_with(lines[position + 1], "   ") || starts_with(lines[position + 1], "  {") ||
              starts_with(lines[position + 1], "  }")))
         member.body += lines[++position] + '\n';
       if(is_public && !is_in_group && is_function(member.text))
-        result.push_back(std::move(member));
+        result.members.push_back(std::move(member));
+      else if(is_public && !is_in_group && !is_type(member.text))
+        result.data.push_back(std::move(member));
     }
     documentation.clear();
   }
-  return result;
 }
 
 inline Header read_header(std::istream& in)
@@ -193,10 +196,10 @@ inline Header read_header(std::istream& in)
       if(starts_with(type, "struct ") || starts_with(type, "class "))
       {
         const std::string name = type.substr(type.find(' ') + 1);
-        Class found{documentation, name.substr(0, name.find(' ')), {}};
+        Class found{documentation, name.substr(0, name.find(' ')), {}, {}};
         const std::size_t begin = i;
         if(!contains(lines[i], ";"))
-          found.members = members_at(lines, ++i, starts_with(type, "struct "));
+          read_members(lines, ++i, starts_with(type, "struct "), found);
         result.classes.push_back(std::move(found));
         for(std::size_t k = begin; k < std::min(i, lines.size()); ++k)
           result.has_citation = result.has_citation || contains(lines[k], "\\cgalCite{");

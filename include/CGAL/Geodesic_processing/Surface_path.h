@@ -19,6 +19,7 @@ template <typename Surface>
 struct Surface_path
 {
   using Location = typename internal::Surface_traits<Surface>::Location;
+  /// the point type of the surface: that of its vertex point map, or of `Surfel_kernel`
   using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
 
   std::vector<Location> locations; ///< the vertices of the polyline; empty if there is no path

@@ -36,8 +36,8 @@ using Decal_image = std::function<Decal_color(const Decal_coordinates&)>;
 template <typename Surface>
 struct Decal_vertex
 {
-  typename internal::Surface_traits<Surface>::Vertex vertex;
-  Decal_coordinates coordinates;
+  typename internal::Surface_traits<Surface>::Vertex vertex; ///< the vertex or surfel
+  Decal_coordinates coordinates;                             ///< its image coordinates
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
@@ -46,8 +46,8 @@ struct Decal_vertex
 template <typename TriangleMesh>
 struct Decal_face
 {
-  typename boost::graph_traits<TriangleMesh>::face_descriptor face;
-  std::array<Decal_coordinates, 3> coordinates;
+  typename boost::graph_traits<TriangleMesh>::face_descriptor face; ///< the face
+  std::array<Decal_coordinates, 3> coordinates; ///< the image coordinates of its corners
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
@@ -69,8 +69,8 @@ struct Decal
 template <typename SurfelRange>
 struct Decal<SurfelRange, true>
 {
-  Tangent_frame<SurfelRange> frame;
-  std::vector<Decal_vertex<SurfelRange>> vertices;
+  Tangent_frame<SurfelRange> frame;                ///< the center, and the directions right and up
+  std::vector<Decal_vertex<SurfelRange>> vertices; ///< the surfels that the image covers
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
@@ -235,8 +235,8 @@ void composite_decal(const Decal<Surface>& decal, const Image& image, ColorMap c
 template <typename Surface>
 struct Decal_layer
 {
-  Decal<Surface> decal;
-  Decal_image image;
+  Decal<Surface> decal; ///< the placement
+  Decal_image image;    ///< the image
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
@@ -244,7 +244,8 @@ struct Decal_layer
 template <typename TriangleMesh>
 struct Decal_texture
 {
-  std::size_t width = 0, height = 0;
+  std::size_t width = 0;                       ///< number of texels in a row
+  std::size_t height = 0;                      ///< number of rows
   std::vector<Decal_color> texels;             ///< by rows, from the lowest row up
   std::vector<Decal_face<TriangleMesh>> faces; ///< the covered faces, each once
   Decal_coordinates background = {0., 0.};     ///< coordinates of all corners of all other faces

@@ -28,8 +28,8 @@ namespace CGAL::Geodesic_processing {
 /// face.  All members take O(1) time.
 struct Face_distortion
 {
-  double sigma_1 = 1.,
-         sigma_2 = 1.;    ///< \f$ \sigma_1 \geq \sigma_2 \f$; infinite if the image has no area
+  double sigma_1 = 1.;    ///< the larger singular value; infinite if the image has no area
+  double sigma_2 = 1.;    ///< the smaller singular value; infinite if the image has no area
   bool is_folded = false; ///< true if the image is clockwise (inverted)
   double area = 0.;       ///< the area of the face on the surface
 
@@ -207,9 +207,9 @@ struct Surface_distortion
   double integral = 0.; ///< the integral of the measure over the area of the triangles
   double area = 0.;     ///< the total area of these triangles
   double worst = 0.;    ///< the largest value of the measure
-  Location<Surface> worst_location{}; ///< the center of a triangle with this value
-  std::size_t number_of_triangles = 0;
-  std::size_t number_of_folded_triangles = 0;
+  Location<Surface> worst_location{};         ///< the center of a triangle with this value
+  std::size_t number_of_triangles = 0;        ///< triangles that have an image
+  std::size_t number_of_folded_triangles = 0; ///< triangles whose image is clockwise (inverted)
 
   /// Returns the mean of the measure, weighted by area.  O(1).
   double mean() const { return integral / area; }

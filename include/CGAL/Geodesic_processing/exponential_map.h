@@ -17,7 +17,8 @@ namespace CGAL::Geodesic_processing {
 /// Returns the endpoint of the straightest geodesic in the direction of a tangent vector, whose
 /// length is that of the vector.
 ///
-/// It is the inverse of `logarithmic_map()`.  Both use the same axes if `up_direction` is the same.
+/// It is the inverse of `logarithmic_map()`.  Both use the same axes if they have the same
+/// `up_direction`, or none.
 /// Beyond the injectivity radius, the geodesic continues straight, although it is not necessarily a
 /// shortest path.  If it reaches the boundary, the point on the boundary is returned.
 ///

@@ -142,7 +142,8 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
 /// \cgalNamedParamsEnd
 /// \returns the output iterator past the last sample
 /// \throws Invalid_argument_error if a location, a speed or the covering radius is not usable
-/// \throws Cancelled if the callback returns false
+/// \throws Cancelled if the callback returns false. Then no sample is written. To keep those that
+///         are complete, call the function for a few samples at a time, with `first_samples`
 ///
 /// Adding a sample takes time proportional to the number of vertices in its Voronoi cell at that
 /// time. For n vertices, samples 1 to k together take O(n log k) steps of a front. For k = 1,000

@@ -162,7 +162,8 @@ struct Remeshing_result
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{location_map}
 ///     \cgalParamDescription{receives for each vertex of the output the `Location<Surface>` of its
-///       sample}
+///       sample. On a cloud, samples are on the reconstructed surface, not necessarily at surfels:
+///       the location is the closest one on the cloud}
 ///     \cgalParamType{a model of `WritablePropertyMap` with vertices of the output as keys and
 ///       `Location<Surface>` as values}
 ///     \cgalParamDefault{nothing is written}

@@ -77,7 +77,7 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///         sources are processed at a time, by one solver per thread.  Both give bitwise equal
 ///         results.
 /// \tparam Surface as for `geodesic_distances()`
-/// \tparam Sources a range of vertices, surfels, locations or `Source`s
+/// \tparam Sources a vertex, a surfel, a location, a `Source`, or a range of one of these
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
 /// \param np the named parameters of `make_domain()`, and
@@ -110,8 +110,8 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 /// lower and the upper bound.
 ///
 /// \returns a matrix with one row per source and one column per target; an entry is +infinity if
-///          the source does not reach the target.  With approximate methods, it is symmetric only
-///          up to their errors.
+///          the source does not reach the target.  With approximate methods or a relative
+///          tolerance, it is symmetric only up to their errors.
 /// \throws as `Geodesic_distance_solver::compute()`
 ///
 /// Takes one distance computation for each source.

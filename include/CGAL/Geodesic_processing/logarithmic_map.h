@@ -51,8 +51,9 @@ struct Tangent_frame
   using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
   using Vector_3 = typename internal::Surface_traits<Surface>::Vector_3;
 
-  Point_3 origin = ORIGIN;
-  Vector_3 u = NULL_VECTOR, v = NULL_VECTOR; ///< unit vectors along the axes of the map
+  Point_3 origin = ORIGIN;  ///< the base point
+  Vector_3 u = NULL_VECTOR; ///< the unit vector along the first axis of the map
+  Vector_3 v = NULL_VECTOR; ///< the unit vector along the second axis
 
   /// Returns the unit normal, the cross product of `u` and `v`.  O(1).
   Vector_3 normal() const { return CGAL::cross_product(u, v); }

@@ -20,9 +20,13 @@ struct Principal_curvatures
 {
   using Vector_3 = typename internal::Surface_traits<Surface>::Vector_3;
 
-  double min_curvature = 0., max_curvature = 0.;
-  /// Orthogonal unit vectors in space; zero if the curvature is undefined, as at isolated vertices.
-  Vector_3 min_direction = NULL_VECTOR, max_direction = NULL_VECTOR;
+  double min_curvature = 0.; ///< the smaller principal curvature
+  double max_curvature = 0.; ///< the larger principal curvature
+  /// The unit vector in space in whose direction the curvature is `min_curvature`; zero if the
+  /// curvature is undefined, as at isolated vertices.
+  Vector_3 min_direction = NULL_VECTOR;
+  /// The unit vector for `max_curvature`, orthogonal to `min_direction`; zero if undefined.
+  Vector_3 max_direction = NULL_VECTOR;
 };
 
 namespace internal {

@@ -23,7 +23,7 @@ namespace CGAL::Geodesic_processing {
 template <typename Surface>
 struct Straightest_geodesic : Surface_path<Surface>
 {
-  bool is_cut_by_boundary = false;
+  bool is_cut_by_boundary = false; ///< whether it ends at the boundary, shorter than requested
 };
 
 namespace internal {
@@ -89,9 +89,9 @@ Straightest_geodesic<typename Domain::Surface> outer_path(const Domain& domain,
 /// \param surface a mesh, a cloud or a domain
 /// \param from a vertex, a surfel or a location
 /// \param direction a vector in space, which is projected to the plane of the face of `from`, or to
-///        the tangent plane of the fitted surface.  At a vertex, it is the incident face that
-///        contains the projected direction.  If several do, the face whose plane is closest to the
-///        direction is used
+///        the tangent plane of the fitted surface.  At a vertex, the face is the incident one that
+///        contains the projected direction.  If several do, it is the one whose plane is closest to
+///        the direction
 /// \param length the length of the path, finite and not negative
 /// \param np the named parameters of `make_domain()`
 /// \returns the path; its `length` is smaller than the requested length only if it ends at the

@@ -83,8 +83,8 @@ enum class Surfel_noise
 /// stores the decrease of the energy of a path on one level, with a fixed number of control points.
 struct Path_energy_level
 {
-  std::size_t number_of_control_points = 0;
-  std::size_t number_of_iterations = 0;
+  std::size_t number_of_control_points = 0; ///< the number of control points
+  std::size_t number_of_iterations = 0;     ///< the number of iterations of the minimization
   double first_energy = 0.; ///< before minimization, in squares of the surface's unit
   double last_energy = 0.;  ///< after minimization; at most `first_energy`
 };

@@ -23,7 +23,7 @@ namespace CGAL::Geodesic_processing {
 /// The summary of an atlas that `texture_atlas()` computed.
 struct Texture_atlas
 {
-  std::size_t number_of_charts = 0;
+  std::size_t number_of_charts = 0;   ///< the number of charts, at least one per component
   std::size_t number_of_flips = 0;    ///< faces whose image is not counterclockwise
   std::size_t number_of_overlaps = 0; ///< charts whose boundary intersects itself
   double coverage = 0.;               ///< the fraction of the unit square that charts cover
