@@ -58,11 +58,12 @@ build_failed()
 }
 
 # Starts one X server for all pictures.  Without it, the program starts a server per picture.
+# A server that resets itself when a picture is complete refuses the next connection at times.
 start_server()
 {
   local pipe=$build/display
   rm -f $pipe
-  Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp 3>$pipe >/dev/null 2>&1 &
+  Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp -noreset 3>$pipe >/dev/null 2>&1 &
   server=$!
   for ((i = 0; i < 100; ++i)); do
     [ ! -s $pipe ] || break

@@ -94,8 +94,10 @@ Display::Display()
     ::dup2(null_device, STDOUT_FILENO);
     ::dup2(null_device, STDERR_FILENO);
     const std::string number = std::to_string(pipe_ends[1]);
+    // By default, the server resets itself when the last connection is closed, and then refuses
+    // connections for a moment.
     ::execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1600x1200x24",
-             "-nolisten", "tcp", static_cast<char*>(nullptr));
+             "-nolisten", "tcp", "-noreset", static_cast<char*>(nullptr));
     ::_exit(127);
   }
   ::close(pipe_ends[1]);
