@@ -21,7 +21,7 @@ started=$SECONDS
 
 packages=(g++ cmake ninja-build ccache
   libcgal-dev libboost-dev libeigen3-dev libsuitesparse-dev libopenblas-dev
-  libcli11-dev nlohmann-json3-dev libpng-dev libvtk9-dev xvfb xauth)
+  libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev liblz4-dev libvtk9-dev xvfb xauth)
 
 install_packages "${packages[@]}" || exit 1
 

@@ -43,7 +43,9 @@ Json_entry Json_object::operator[](const std::string& name) const
 Job::Job(Command& command) : m_result(std::make_unique<nlohmann::ordered_json>())
 {
   command
-      .add("INPUT", m_input, "TEXT", "mesh or point cloud: .ply .off .obj .stl .xyz .pwn .vtp .gpw")
+      .add("INPUT", m_input, "TEXT",
+           "mesh or point cloud: .ply .off .obj .stl .xyz .pwn .vtp .gpw, or one of these "
+           "compressed by gzip (.ply.gz)")
       .required();
   command.add("-o,--output", m_output, "FILE", "write the result: .ply .off .obj .vtp");
   command.add("--values", m_values, "FILE",

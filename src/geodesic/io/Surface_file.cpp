@@ -4,6 +4,7 @@
 
 #include "io/Output_file.h"
 #include "io/Scanner.h"
+#include "io/decompress.h"
 #include "io/errors.h"
 #include "io/read_bytes.h"
 
@@ -51,12 +52,19 @@ Surface_file read_surface_file(const std::string& filename)
   static const std::map<std::string, Reader> readers = {
       {"ply", read_ply}, {"off", read_off}, {"obj", read_obj}, {"stl", read_stl},
       {"xyz", read_xyz}, {"pwn", read_pwn}, {"vtp", read_vtp}, {"gpw", read_gpw}};
-  const std::string bytes = read_bytes(filename);
-  const auto reader = readers.find(file_extension(filename));
+  std::string bytes = read_bytes(filename);
+  const bool is_compressed = file_extension(filename) == "gz";
+  const std::string extension =
+      file_extension(is_compressed ? std::filesystem::path(filename).stem().string() : filename);
+  const auto reader = readers.find(extension);
   if(reader == readers.end())
-    fail(filename, "the extension must be .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or .gpw");
+    fail(filename,
+         "the extension must be .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or .gpw, and .gz "
+         "after it if the file is compressed");
   if(bytes.empty())
     fail(filename, "it is empty");
+  if(is_compressed)
+    bytes = inflate(bytes, filename);
   return reader->second(bytes, filename);
 }
 

@@ -40,7 +40,7 @@ struct Surface_file
 constexpr std::array<const char*, 3> color_names = {"red", "green", "blue"};
 
 // Reads a file; the extension selects the format: .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or
-// .gpw. The data is neither repaired nor validated beyond the needs of the reader, see check().
+// .gpw, and .gz after it for a file that is compressed by gzip. The data is neither repaired nor validated beyond the needs of the reader, see check().
 // Memory is proportional to the size of the file, independent of the counts in its header. For
 // .gpw, a progressive wavelet stream, memory is bounded by a constant. Throws Input_error that
 // names the file and the reason.

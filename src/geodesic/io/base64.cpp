@@ -16,7 +16,7 @@ constexpr std::string_view digits =
 std::string to_base64(std::string_view bytes)
 {
   std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
+  text.reserve(base64_length(bytes.size()));
   for(std::size_t i = 0; i < bytes.size(); i += 3)
   {
     std::uint32_t group = 0;

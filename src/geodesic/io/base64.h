@@ -3,11 +3,15 @@
 #ifndef GEODESIC_PROGRAM_IO_BASE64_H
 #define GEODESIC_PROGRAM_IO_BASE64_H
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace program {
+
+// Returns the number of digits, with padding, that encode a number of bytes.
+constexpr std::size_t base64_length(std::size_t size) { return (size + 2) / 3 * 4; }
 
 std::string to_base64(std::string_view bytes);
 

@@ -97,6 +97,7 @@ void read_face(Scanner& scanner, long long number_of_vertices, Surface_file& sur
 Surface_file read_off(std::string_view bytes, const std::string& name)
 {
   Scanner scanner(bytes, name, '#');
+  scanner.splits_at_commas = true;
   if(!scanner.next_line())
     fail(name, "it is empty");
   const Variant variant = parse_variant(scanner.word(), scanner);

@@ -5,9 +5,11 @@
 #include "io/append_polygon.h"
 #include "io/base64.h"
 #include "io/binary_numbers.h"
+#include "io/decompress.h"
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace program {
@@ -99,8 +101,9 @@ private:
 struct Storage
 {
   bool big_endian = false;
-  std::size_t header_size = 4;
-  std::string_view appended; // the bytes after the underscore
+  std::size_t header_size = 4; // bytes of an integer in the header of an array
+  std::string_view compressor; // empty if the arrays are not compressed
+  std::string_view appended;   // the bytes after the underscore
   bool is_appended_raw = true;
 };
 
@@ -132,18 +135,100 @@ std::vector<double> decode_numbers(std::string_view bytes, std::string_view type
   return numbers;
 }
 
+// Returns the integer at an index of the header of a data array.
+std::uint64_t header_at(std::string_view bytes, std::size_t index, const Storage& storage,
+                        const std::string& name)
+{
+  if(bytes.size() / storage.header_size <= index)
+    fail(name, "a data array is truncated");
+  return bits_at(bytes.substr(index * storage.header_size), storage.header_size,
+                 storage.big_endian);
+}
+
+// The header of a compressed data array: the number of blocks, the length of each block, the length
+// of the last block (0 if it has the same length), and the compressed lengths.
+struct Compressed_header
+{
+  std::vector<std::size_t> lengths;            // of each block
+  std::vector<std::size_t> compressed_lengths; // of each block
+  std::size_t size = 0;                        // bytes of this header
+  std::size_t compressed_size = 0;             // sum of the compressed lengths
+};
+
+// Returns the number of bytes of the header of a compressed data array.
+std::size_t compressed_header_size(std::string_view bytes, std::size_t available,
+                                   const Storage& storage, const std::string& name)
+{
+  const std::uint64_t number = header_at(bytes, 0, storage, name);
+  if(number > available / storage.header_size)
+    fail(name, "a data array is truncated");
+  return number == 0 ? storage.header_size
+                     : (3 + static_cast<std::size_t>(number)) * storage.header_size;
+}
+
+Compressed_header read_compressed_header(std::string_view bytes, const Storage& storage,
+                                         const std::string& name)
+{
+  Compressed_header result;
+  result.size = compressed_header_size(bytes, bytes.size(), storage, name);
+  const std::size_t number = result.size / storage.header_size;
+  for(std::size_t i = 3; i < number; ++i)
+  {
+    const std::uint64_t last = header_at(bytes, 2, storage, name);
+    const bool is_partial = i + 1 == number && last > 0;
+    result.lengths.push_back(
+        static_cast<std::size_t>(is_partial ? last : header_at(bytes, 1, storage, name)));
+    const std::uint64_t length = header_at(bytes, i, storage, name);
+    if(length > (std::numeric_limits<std::uint32_t>::max)())
+      fail(name, "a data array is truncated");
+    result.compressed_lengths.push_back(static_cast<std::size_t>(length));
+    result.compressed_size += static_cast<std::size_t>(length);
+  }
+  return result;
+}
+
+// Decompresses the blocks of a data array.
+std::string decompress_blocks(std::string_view bytes, const Storage& storage,
+                              const std::string& name)
+{
+  std::string result;
+  if(bytes.empty())
+    return result;
+  const Compressed_header header = read_compressed_header(bytes, storage, name);
+  bytes.remove_prefix(header.size);
+  for(std::size_t i = 0; i < header.lengths.size(); ++i)
+  {
+    const std::size_t length = header.compressed_lengths[i];
+    if(length > bytes.size())
+      fail(name, "a data array is truncated");
+    const std::string_view block = bytes.substr(0, length);
+    result += storage.compressor == "vtkLZ4DataCompressor"
+                  ? decompress_lz4(block, header.lengths[i], name)
+                  : inflate(block, name);
+    bytes.remove_prefix(length);
+  }
+  return result;
+}
+
 // Returns the data of a block, which is preceded by its length in bytes.
 std::string_view read_block(std::string_view bytes, const Storage& storage, const std::string& name)
 {
   if(bytes.empty())
     return {};
-  if(bytes.size() < storage.header_size)
-    fail(name, "a data array is truncated");
-  const std::uint64_t length = bits_at(bytes, storage.header_size, storage.big_endian);
+  const std::uint64_t length = header_at(bytes, 0, storage, name);
   bytes.remove_prefix(storage.header_size);
   if(length > bytes.size())
     fail(name, "a data array is truncated");
   return bytes.substr(0, static_cast<std::size_t>(length));
+}
+
+// Decodes the bytes of a data array with its header.
+std::vector<double> numbers_in_bytes(std::string_view bytes, std::string_view type,
+                                     const Storage& storage, const std::string& name)
+{
+  if(storage.compressor.empty())
+    return decode_numbers(read_block(bytes, storage, name), type, storage, name);
+  return decode_numbers(decompress_blocks(bytes, storage, name), type, storage, name);
 }
 
 // Decodes a base64 block. VTK encodes the length together with the data, or separately with
@@ -154,7 +239,7 @@ std::vector<double> numbers_in_base64(std::string_view text, std::string_view ty
   const std::optional<std::string> bytes = from_base64(text);
   if(!bytes)
     fail(name, "a data array is not valid base64");
-  return decode_numbers(read_block(*bytes, storage, name), type, storage, name);
+  return numbers_in_bytes(*bytes, type, storage, name);
 }
 
 std::vector<double> numbers_in_text(std::string_view text, const std::string& name)
@@ -171,6 +256,37 @@ std::vector<double> numbers_in_text(std::string_view text, const std::string& na
   return numbers;
 }
 
+// Returns the first bytes of a base64 text.
+std::string decode_header(std::string_view text, std::size_t size, const std::string& name)
+{
+  const std::optional<std::string> bytes = from_base64(text.substr(0, base64_length(size)));
+  if(!bytes || bytes->size() < size)
+    fail(name, "a data array is not valid base64");
+  return *bytes;
+}
+
+// Returns the length of a base64 text that begins with the header of a data array. Other arrays
+// follow it. The header of compressed data is encoded separately. If that of other data ends with
+// padding, it is separate as well.
+std::size_t encoded_length(std::string_view text, const Storage& storage, const std::string& name)
+{
+  const std::string first = decode_header(text, storage.header_size, name);
+  if(!storage.compressor.empty())
+  {
+    const std::size_t size = compressed_header_size(first, text.size(), storage, name);
+    const Compressed_header header =
+        read_compressed_header(decode_header(text, size, name), storage, name);
+    return base64_length(size) + base64_length(header.compressed_size);
+  }
+  const std::uint64_t length = header_at(first, 0, storage, name);
+  if(length > text.size())
+    fail(name, "a data array is truncated");
+  const std::size_t data_size = static_cast<std::size_t>(length);
+  const std::size_t header_length = base64_length(storage.header_size);
+  return text[header_length - 1] == '=' ? header_length + base64_length(data_size)
+                                        : base64_length(storage.header_size + data_size);
+}
+
 std::vector<double> appended_numbers(const Tag& tag, const Storage& storage,
                                      const std::string& name)
 {
@@ -179,18 +295,9 @@ std::vector<double> appended_numbers(const Tag& tag, const Storage& storage,
     fail(name, "the offset of a data array is missing or out of range");
   const std::string_view bytes = storage.appended.substr(static_cast<std::size_t>(*offset));
   if(storage.is_appended_raw)
-    return decode_numbers(read_block(bytes, storage, name), tag["type"], storage, name);
-  // Encoded blocks are concatenated, so the length of this block is decoded first.
-  const std::size_t digits = (storage.header_size + 2) / 3 * 4;
-  const std::optional<std::string> header = from_base64(bytes.substr(0, digits));
-  if(!header || header->size() < storage.header_size)
-    fail(name, "a data array is not valid base64");
-  const std::uint64_t length = bits_at(*header, storage.header_size, storage.big_endian);
-  if(length > bytes.size())
-    fail(name, "a data array is truncated");
-  const std::size_t encoded_length =
-      (static_cast<std::size_t>(length) + storage.header_size + 2) / 3 * 4;
-  return numbers_in_base64(bytes.substr(0, encoded_length), tag["type"], storage, name);
+    return numbers_in_bytes(bytes, tag["type"], storage, name);
+  return numbers_in_base64(bytes.substr(0, encoded_length(bytes, storage, name)), tag["type"],
+                           storage, name);
 }
 
 std::vector<double> read_array(const Tag& tag, std::string_view text, const Storage& storage,
@@ -199,6 +306,10 @@ std::vector<double> read_array(const Tag& tag, std::string_view text, const Stor
   const std::string_view format = tag["format"];
   if(format == "ascii" || format.empty())
     return numbers_in_text(text, name);
+  // The header of the file names a compressor even if all arrays are text.
+  if(!storage.compressor.empty() && storage.compressor != "vtkZLibDataCompressor" &&
+     storage.compressor != "vtkLZ4DataCompressor")
+    fail(name, "the compressor '" + printable(storage.compressor) + "' is not supported");
   if(format == "binary")
     return numbers_in_base64(text, tag["type"], storage, name);
   if(format != "appended")
@@ -313,8 +424,7 @@ private:
     m_is_vtp = tag["type"] == "PolyData";
     m_storage.big_endian = tag["byte_order"] == "BigEndian";
     m_storage.header_size = tag["header_type"] == "UInt64" ? 8 : 4;
-    if(!tag["compressor"].empty())
-      fail(m_name, "compressed VTP files are not supported");
+    m_storage.compressor = tag["compressor"];
   }
 
   void read_data_array(const Tag& tag)
