@@ -192,5 +192,6 @@ template void call_all(const GP::Surfel_domain<Cloud>&);
 #  else
 template void call_all(const Mesh&);
 template void call_all(const GP::Mesh_domain<Mesh>&);
+template void call_all(const GP::Soup_domain<Point>&);
 #  endif
 #endif

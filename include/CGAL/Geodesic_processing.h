@@ -11,6 +11,8 @@
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/Mesh_domain.h>
 #include <CGAL/Geodesic_processing/Region_transport_solver.h>
+#include <CGAL/Geodesic_processing/Soup_domain.h>
+#include <CGAL/Geodesic_processing/Soup_report.h>
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/Streamline_tracer.h>
 #include <CGAL/Geodesic_processing/Subdivision_wavelet.h>

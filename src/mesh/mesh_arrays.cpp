@@ -5,6 +5,8 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
 
+#include "mesh/edges_of_soup.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -171,37 +173,16 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
 
 std::vector<Index> twins_of_soup(std::size_t number_of_points, const std::vector<Index>& corners)
 {
-  // Sorts the edges into buckets by their smaller vertex; the buckets are short.
-  std::vector<Index> begin(number_of_points + 1, 0), halfedges(corners.size());
   std::vector<Index> twin(corners.size(), none);
-  const auto smaller_end = [&](Index h) { return std::min(corners[h], corners[next_halfedge(h)]); };
-  const auto larger_end = [&](Index h) { return std::max(corners[h], corners[next_halfedge(h)]); };
-  for(Index h = 0; h < corners.size(); ++h)
-    ++begin[smaller_end(h) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  {
-    auto end = begin;
-    for(Index h = 0; h < corners.size(); ++h)
-      halfedges[end[smaller_end(h)]++] = h;
-  }
-  for(std::size_t v = 0; v < number_of_points; ++v)
-  {
-    const auto bucket = halfedges.begin() + begin[v], bucket_end = halfedges.begin() + begin[v + 1];
-    std::sort(bucket, bucket_end,
-              [&](Index a, Index b)
-              { return std::make_pair(larger_end(a), a) < std::make_pair(larger_end(b), b); });
-    for(auto run = bucket; run != bucket_end;)
-    {
-      const auto run_end =
-          std::find_if(run, bucket_end, [&](Index h) { return larger_end(h) != larger_end(*run); });
-      if(run_end - run == 2 && corners[run[0]] != corners[run[1]])
-      {
-        twin[run[0]] = run[1];
-        twin[run[1]] = run[0];
-      }
-      run = run_end;
-    }
-  }
+  for_each_edge_of_soup(number_of_points, corners,
+                        [&](const Index* begin, const Index* end)
+                        {
+                          if(end - begin == 2 && corners[begin[0]] != corners[begin[1]])
+                          {
+                            twin[begin[0]] = begin[1];
+                            twin[begin[1]] = begin[0];
+                          }
+                        });
   return twin;
 }
 

@@ -19,6 +19,8 @@ namespace CGAL {
 
 template <typename Point, typename Vector>
 class Point_set_3;
+template <typename Point>
+class Surface_mesh;
 
 namespace Geodesic_processing {
 
@@ -26,6 +28,8 @@ template <typename TriangleMesh>
 class Mesh_domain;
 template <typename SurfelRange>
 class Surfel_domain;
+template <typename Point>
+class Soup_domain;
 
 /// \ingroup PkgGeodesicProcessingDomain
 /// a location on a surfel cloud: a surfel and an offset in its tangent plane. The two components of
@@ -153,6 +157,11 @@ template <typename Surface>
 struct Surface_of_domain<Surfel_domain<Surface>>
 {
   using type = Surface;
+};
+template <typename Point>
+struct Surface_of_domain<Soup_domain<Point>>
+{
+  using type = Surface_mesh<Point>;
 };
 
 } // namespace internal

@@ -103,6 +103,8 @@ public:
     using Value = typename boost::property_traits<PropertyMap>::value_type;
     for(internal::Index i = 0; i < number_of_vertices(); ++i)
       put(map, m_data->vertices[i], static_cast<Value>(values(i)));
+    for(const Vertex v : m_data->merged_vertices)
+      put(map, v, static_cast<Value>(values(index(v))));
   }
 
   /// returns the mesh, which must not have been destroyed or moved. O(1).
@@ -125,19 +127,51 @@ public:
   std::vector<double> face_slowness(FaceSpeedMap speed) const;
   /// @}
 
-private:
+protected:
+  // For Soup_domain, which defines all members.
+  Mesh_domain() = default;
+
   template <typename Descriptor, typename Property>
   using Map = typename boost::property_map<TriangleMesh, Property>::const_type;
   struct Data
   {
+    explicit Data(const TriangleMesh& mesh)
+        : index_of_vertex(get(dynamic_vertex_property_t<internal::Index>(), mesh)),
+          triangle_of_face(get(dynamic_face_property_t<internal::Index>(), mesh))
+    {}
+
     Map<Vertex, dynamic_vertex_property_t<internal::Index>> index_of_vertex;
     Map<Face, dynamic_face_property_t<internal::Index>> triangle_of_face;
     std::vector<Vertex> vertices; // #vertices
     std::vector<Face> faces;      // #triangles
+    // Vertices of a soup that were merged, in increasing order.  They have the index of the vertex
+    // that replaces them.
+    std::vector<Vertex> merged_vertices;
     // The minimum and maximum descriptors. The maps must not be read outside of these ranges.
     std::pair<Vertex, Vertex> vertex_range;
     std::pair<Face, Face> face_range;
+    std::shared_ptr<const TriangleMesh> mesh_of_soup; // null if the caller owns the mesh
   };
+  // Builds the arrays from vertices and faces in the order of the caller, which are then sorted.
+  //
+  // replacements: #data.merged_vertices, positions in data.vertices
+  // coordinates: #vertices
+  // corners: 3 #triangles, positions in data.vertices
+  // twins: 3 #triangles
+  void build(Data data, const std::vector<internal::Index>& replacements,
+             std::vector<std::array<double, 3>> coordinates,
+             const std::vector<internal::Index>& corners,
+             const std::vector<internal::Index>& twins);
+
+  const TriangleMesh* m_mesh = nullptr;
+  std::shared_ptr<const internal::Surface_arrays> m_triangles;
+  std::shared_ptr<const Data> m_data;
+
+private:
+  bool is_merged(Vertex v) const
+  {
+    return std::binary_search(m_data->merged_vertices.begin(), m_data->merged_vertices.end(), v);
+  }
   template <typename Descriptor>
   static bool is_within(const Descriptor& descriptor,
                         const std::pair<Descriptor, Descriptor>& range)
@@ -154,9 +188,6 @@ private:
       values.push_back(get(speed, descriptor));
     return internal::slowness_of(std::move(values));
   }
-  const TriangleMesh* m_mesh;
-  std::shared_ptr<const internal::Surface_arrays> m_triangles;
-  std::shared_ptr<const Data> m_data;
 };
 
 template <typename TriangleMesh>
@@ -173,41 +204,36 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
   const auto points = internal::parameter(np, CGAL::internal_np::vertex_point,
                                           get_const_property_map(vertex_point, mesh));
 
-  auto data = std::make_shared<Data>();
-  data->index_of_vertex = get(dynamic_vertex_property_t<Index>(), mesh);
-  data->triangle_of_face = get(dynamic_face_property_t<Index>(), mesh);
-
+  Data data(mesh);
   std::vector<std::array<double, 3>> coordinates;
-  std::vector<Vertex> read_vertices;
   coordinates.reserve(num_vertices(mesh));
-  read_vertices.reserve(num_vertices(mesh));
+  data.vertices.reserve(num_vertices(mesh));
   for(const Vertex v : vertices(mesh))
   {
     const auto& point = get(points, v);
-    put(data->index_of_vertex, v, static_cast<Index>(read_vertices.size()));
-    read_vertices.push_back(v);
+    put(data.index_of_vertex, v, static_cast<Index>(data.vertices.size()));
+    data.vertices.push_back(v);
     coordinates.push_back(
         {CGAL::to_double(point[0]), CGAL::to_double(point[1]), CGAL::to_double(point[2])});
   }
 
-  std::vector<Face> read_faces;
   std::vector<Index> corners, twins;
-  read_faces.reserve(num_faces(mesh));
+  data.faces.reserve(num_faces(mesh));
   for(const Face face : faces(mesh))
   {
-    put(data->triangle_of_face, face, static_cast<Index>(read_faces.size()));
-    read_faces.push_back(face);
+    put(data.triangle_of_face, face, static_cast<Index>(data.faces.size()));
+    data.faces.push_back(face);
   }
-  if(read_faces.size() > (std::size_t(1) << 31) / 3)
+  if(data.faces.size() > (std::size_t(1) << 31) / 3)
     throw Unsupported_surface_error("The mesh has more than 2^31 halfedges.");
-  corners.reserve(3 * read_faces.size());
-  twins.reserve(3 * read_faces.size());
-  for(const Face read_face : read_faces)
+  corners.reserve(3 * data.faces.size());
+  twins.reserve(3 * data.faces.size());
+  for(const Face read_face : data.faces)
   {
     auto h = halfedge(read_face, mesh);
     for(int k = 0; k < 3; ++k, h = next(h, mesh))
     {
-      corners.push_back(get(data->index_of_vertex, source(h, mesh)));
+      corners.push_back(get(data.index_of_vertex, source(h, mesh)));
       const auto twin = opposite(h, mesh);
       const Face twin_face = internal::face_of(twin, mesh);
       if(twin_face == Graph::null_face())
@@ -216,7 +242,7 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
         continue;
       }
       auto candidate = halfedge(twin_face, mesh);
-      Index twin_index = 3 * get(data->triangle_of_face, twin_face);
+      Index twin_index = 3 * get(data.triangle_of_face, twin_face);
       for(int k_twin = 0; candidate != twin && k_twin < 2; ++k_twin, ++twin_index)
         candidate = next(candidate, mesh);
       twins.push_back(twin_index);
@@ -224,38 +250,55 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
     if(h != halfedge(read_face, mesh))
       throw Unsupported_surface_error("A face of the mesh is not a triangle.");
   }
+  build(std::move(data), {}, std::move(coordinates), corners, twins);
+}
 
+template <typename TriangleMesh>
+void Mesh_domain<TriangleMesh>::build(Data data, const std::vector<internal::Index>& replacements,
+                                      std::vector<std::array<double, 3>> coordinates,
+                                      const std::vector<internal::Index>& corners,
+                                      const std::vector<internal::Index>& twins)
+{
+  using internal::Index;
+  const auto read_vertices = std::move(data.vertices);
+  const auto read_faces = std::move(data.faces);
+  data.vertices = {};
+  data.faces = {};
   if(!read_vertices.empty())
   {
     const auto [first_descriptor, last_descriptor] =
         std::minmax_element(read_vertices.begin(), read_vertices.end());
-    data->vertex_range = {*first_descriptor, *last_descriptor};
+    data.vertex_range = {*first_descriptor, *last_descriptor};
   }
   if(!read_faces.empty())
   {
     const auto [first_descriptor, last_descriptor] =
         std::minmax_element(read_faces.begin(), read_faces.end());
-    data->face_range = {*first_descriptor, *last_descriptor};
+    data.face_range = {*first_descriptor, *last_descriptor};
   }
 
   internal::Mesh_arrays arrays =
       internal::build_mesh_arrays(std::move(coordinates), corners, twins);
-  corners = {};
-  twins = {};
-  data->vertices.reserve(read_vertices.size());
+  data.vertices.reserve(read_vertices.size());
   for(const Index v : arrays.caller_vertex)
   {
-    put(data->index_of_vertex, read_vertices[v], static_cast<Index>(data->vertices.size()));
-    data->vertices.push_back(read_vertices[v]);
+    put(data.index_of_vertex, read_vertices[v], static_cast<Index>(data.vertices.size()));
+    data.vertices.push_back(read_vertices[v]);
   }
-  data->faces.reserve(read_faces.size());
+  data.faces.reserve(read_faces.size());
   for(const Index face : arrays.face_of_triangle)
   {
-    put(data->triangle_of_face, read_faces[face], static_cast<Index>(data->faces.size()));
-    data->faces.push_back(read_faces[face]);
+    put(data.triangle_of_face, read_faces[face], static_cast<Index>(data.faces.size()));
+    data.faces.push_back(read_faces[face]);
+  }
+  for(std::size_t i = 0; i < replacements.size(); ++i)
+  {
+    const Vertex v = data.merged_vertices[i];
+    put(data.index_of_vertex, v, arrays.internal_vertex[replacements[i]]);
+    data.vertex_range.second = std::max(data.vertex_range.second, v);
   }
   m_triangles = std::make_shared<const internal::Surface_arrays>(std::move(arrays.arrays));
-  m_data = std::move(data);
+  m_data = std::make_shared<const Data>(std::move(data));
 }
 
 template <typename TriangleMesh>
@@ -264,7 +307,7 @@ internal::Surface_location Mesh_domain<TriangleMesh>::inner_vertex(Vertex v) con
   if(v != Graph::null_vertex() && number_of_vertices() > 0 && is_within(v, m_data->vertex_range))
   {
     const internal::Index i = index(v);
-    if(i < number_of_vertices() && vertex(i) == v)
+    if(i < number_of_vertices() && (vertex(i) == v || is_merged(v)))
       return {internal::none, i, {}};
   }
   throw Invalid_argument_error("A vertex does not belong to the mesh.");

@@ -38,7 +38,8 @@ using Domain_of =
 ///
 /// O(n) for a mesh of n vertices, O(n log n) for a cloud of n surfels.
 template <typename Concurrency_tag = Sequential_tag, typename Surface,
-          typename NamedParameters = internal::Default_parameters>
+          typename NamedParameters = internal::Default_parameters,
+          std::enable_if_t<internal::is_named_parameters<NamedParameters>, int> = 0>
 internal::Domain_of<Surface> make_domain(const Surface& surface,
                                          const NamedParameters& np = NamedParameters())
 {

@@ -20,6 +20,8 @@ namespace CGAL::Geodesic_processing {
   NAME(relative_tolerance)                                                                         \
   NAME(source_label_map)                                                                           \
   NAME(predecessor_map)                                                                            \
+  NAME(merge_tolerance)                                                                            \
+  NAME(do_remove_degenerate_faces)                                                                 \
   NAME(radius_map)                                                                                 \
   NAME(number_of_threads)                                                                          \
   NAME(covering_radius)                                                                            \

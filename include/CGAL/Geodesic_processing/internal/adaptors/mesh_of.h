@@ -19,6 +19,11 @@ const TriangleMesh& mesh_of(const Mesh_domain<TriangleMesh>& domain)
 {
   return domain.mesh();
 }
+template <typename Point>
+const Surface_mesh<Point>& mesh_of(const Soup_domain<Point>& domain)
+{
+  return domain.mesh();
+}
 
 } // namespace CGAL::Geodesic_processing::internal
 

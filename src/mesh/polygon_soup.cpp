@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/mesh/polygon_soup.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+
+#include "mesh/edges_of_soup.h"
+#include "mesh/orient_triangles.h"
+#include "mesh/triangulate_polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+constexpr std::size_t max_number_of_halfedges = std::size_t(1) << 31;
+
+void check(const Polygon_soup& soup, const Soup_options& options)
+{
+  if(options.merge_tolerance &&
+     !(*options.merge_tolerance >= 0. && *options.merge_tolerance < infinity))
+    throw Invalid_argument_error("merge_tolerance is negative or not finite.");
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    for(const double x : soup.points[i])
+      if(!std::isfinite(x))
+        throw Invalid_argument_error("Point " + std::to_string(i) +
+                                     " has a coordinate that is not finite.");
+  for(std::size_t f = 0; f + 1 < soup.polygon_begin.size(); ++f)
+    for(std::size_t i = soup.polygon_begin[f]; i < soup.polygon_begin[f + 1]; ++i)
+      if(soup.corners[i] >= soup.points.size())
+        throw Invalid_argument_error("Polygon " + std::to_string(f) +
+                                     " has a corner that is not the index of a point.");
+}
+
+double euclidean_distance(const Vec3& p, const Vec3& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+// Replaces each point by the first earlier one that is within the tolerance and has not been
+// replaced itself.  Returns the replacements and counts them; see Repaired_soup.
+std::vector<Index> merge_points(const std::vector<Vec3>& points, double tolerance,
+                                std::size_t& number_of_merged_points)
+{
+  double extent = 0.;
+  for(const Vec3& p : points)
+    for(const double x : p)
+      extent = std::max(extent, std::abs(x));
+  // The points that are not replaced are sorted into the cells of a grid. A cell is larger than the
+  // tolerance by more than the round-off errors of its indices, so that neighbors are in adjacent
+  // cells.
+  const double cell_size = std::max({1.001 * tolerance, extent * 0x1p-40, 0x1p-1000});
+  const int reach = tolerance > 0. ? 1 : 0;
+  using Cell = std::array<std::int64_t, 3>;
+  const auto cell_of = [&](const Vec3& p)
+  {
+    Cell cell;
+    for(std::size_t k = 0; k < 3; ++k)
+      cell[k] = static_cast<std::int64_t>(std::floor(p[k] / cell_size));
+    return cell;
+  };
+  const auto hash = [](const Cell& cell)
+  {
+    std::uint64_t result = 0;
+    for(const std::int64_t x : cell)
+    {
+      result = (result ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u;
+      result ^= result >> 32;
+    }
+    return result;
+  };
+
+  std::vector<Index> replacement(points.size()), next(points.size(), none);
+  std::unordered_map<std::uint64_t, Index> first_in_cell; // several cells may have the same hash
+  for(Index i = 0; i < points.size(); ++i)
+  {
+    const Cell cell = cell_of(points[i]);
+    Index first = none;
+    for(int x = -reach; x <= reach; ++x)
+      for(int y = -reach; y <= reach; ++y)
+        for(int z = -reach; z <= reach; ++z)
+        {
+          const auto found = first_in_cell.find(hash({cell[0] + x, cell[1] + y, cell[2] + z}));
+          for(Index j = found == first_in_cell.end() ? none : found->second; j != none; j = next[j])
+            if(j < first && euclidean_distance(points[i], points[j]) <= tolerance)
+              first = j;
+        }
+    if(first != none)
+    {
+      replacement[i] = first;
+      ++number_of_merged_points;
+      continue;
+    }
+    replacement[i] = i;
+    const auto [position, is_new] = first_in_cell.try_emplace(hash(cell), i);
+    if(!is_new)
+      next[i] = std::exchange(position->second, i);
+  }
+  if(number_of_merged_points == 0)
+    replacement.clear();
+  return replacement;
+}
+
+// Returns whether a triangle has no area in double precision.
+bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  std::array<double, 3> length = {euclidean_distance(a, b), euclidean_distance(b, c),
+                                  euclidean_distance(c, a)};
+  std::sort(length.begin(), length.end());
+  return length[0] <= 0. || length[0] + length[1] <= length[2];
+}
+
+// Appends the triangles of all polygons.
+void triangulate(const Polygon_soup& soup, const Soup_options& options, Repaired_soup& result)
+{
+  constexpr std::size_t max_corners = 10000; // the triangulation takes quadratic time
+  result.corners.reserve(soup.corners.size());
+  result.polygon.reserve(soup.polygon_begin.size());
+  std::vector<Index> face;
+  std::vector<Vec3> points;
+  const auto add = [&](std::size_t f, Index a, Index b, Index c)
+  {
+    if(a == b || b == c || c == a ||
+       (options.do_remove_degenerate_faces &&
+        has_no_area(soup.points[a], soup.points[b], soup.points[c])))
+    {
+      ++result.report.number_of_degenerate_faces;
+      return;
+    }
+    result.corners.insert(result.corners.end(), {a, b, c});
+    result.polygon.push_back(static_cast<Index>(f));
+  };
+  for(std::size_t f = 0; f + 1 < soup.polygon_begin.size(); ++f)
+  {
+    face.clear();
+    for(std::size_t i = soup.polygon_begin[f]; i < soup.polygon_begin[f + 1]; ++i)
+    {
+      const Index point = soup.corners[i],
+                  corner = result.replacement.empty() ? point : result.replacement[point];
+      if(face.empty() || face.back() != corner)
+        face.push_back(corner);
+    }
+    while(face.size() > 1 && face.front() == face.back())
+      face.pop_back();
+    if(face.size() > max_corners)
+      throw Unsupported_surface_error("Polygon " + std::to_string(f) + " has " +
+                                      std::to_string(face.size()) +
+                                      " corners, but the maximum is 10,000.");
+    if(face.size() < 3)
+    {
+      ++result.report.number_of_degenerate_faces;
+      continue;
+    }
+    if(soup.polygon_begin[f + 1] - soup.polygon_begin[f] > 3)
+      ++result.report.number_of_triangulated_polygons;
+    if(face.size() == 3)
+    {
+      add(f, face[0], face[1], face[2]);
+      continue;
+    }
+    points.clear();
+    for(const Index corner : face)
+      points.push_back(soup.points[corner]);
+    for(const auto& [a, b, c] : triangulate_polygon(points))
+      add(f, face[a], face[b], face[c]);
+  }
+}
+
+struct Triangle_hash
+{
+  std::size_t operator()(const std::array<Index, 3>& triangle) const
+  {
+    std::uint64_t result = triangle[0];
+    for(const Index corner : {triangle[1], triangle[2]})
+    {
+      result = (result ^ (result >> 29)) * 0xbf58476d1ce4e5b9u + corner;
+      result = (result ^ (result >> 32)) * 0x94d049bb133111ebu;
+    }
+    return static_cast<std::size_t>(result ^ (result >> 31));
+  }
+};
+
+// Removes triangles with the same corners in the same cyclic order as an earlier one.  Two
+// triangles of opposite orientation are kept, because they may be a closed surface.
+void remove_duplicate_triangles(Repaired_soup& soup)
+{
+  std::unordered_set<std::array<Index, 3>, Triangle_hash> seen;
+  seen.reserve(soup.polygon.size());
+  std::size_t number_kept = 0;
+  for(std::size_t f = 0; f < soup.polygon.size(); ++f)
+  {
+    const auto corners = soup.corners.begin() + static_cast<std::ptrdiff_t>(3 * f);
+    std::array<Index, 3> triangle;
+    std::rotate_copy(corners, std::min_element(corners, corners + 3), corners + 3,
+                     triangle.begin());
+    if(!seen.insert(triangle).second)
+      continue;
+    std::copy_n(corners, 3, soup.corners.begin() + static_cast<std::ptrdiff_t>(3 * number_kept));
+    soup.polygon[number_kept++] = soup.polygon[f];
+  }
+  soup.report.number_of_duplicate_triangles = soup.polygon.size() - number_kept;
+  soup.corners.resize(3 * number_kept);
+  soup.polygon.resize(number_kept);
+}
+
+struct Opposites
+{
+  std::vector<Index> opposite; // #halfedges; see orient_triangles()
+  std::size_t number_of_nonmanifold_edges = 0;
+  bool has_equal_halfedges = false; // from the same point to the same point
+};
+
+Opposites find_opposites(std::size_t number_of_points, const std::vector<Index>& corners)
+{
+  Opposites result;
+  result.opposite.assign(corners.size(), none);
+  for_each_edge_of_soup(number_of_points, corners,
+                        [&](const Index* begin, const Index* end)
+                        {
+                          if(end - begin == 2)
+                          {
+                            result.opposite[begin[0]] = begin[1];
+                            result.opposite[begin[1]] = begin[0];
+                            result.has_equal_halfedges |= corners[begin[0]] == corners[begin[1]];
+                          }
+                          else if(end - begin > 2)
+                          {
+                            ++result.number_of_nonmanifold_edges;
+                            result.has_equal_halfedges =
+                                true; // three halfedges have only two directions
+                          }
+                        });
+  return result;
+}
+
+} // namespace
+
+Repaired_soup repair_soup(const Polygon_soup& soup, const Soup_options& options)
+{
+  check(soup, options);
+  Repaired_soup result;
+  const std::size_t n = soup.points.size();
+  if(options.merge_tolerance)
+    result.replacement =
+        merge_points(soup.points, *options.merge_tolerance, result.report.number_of_merged_points);
+  triangulate(soup, options, result);
+  if(result.corners.size() > max_number_of_halfedges)
+    throw Unsupported_surface_error("The polygons have more than 2^31 halfedges.");
+
+  Opposites opposites = find_opposites(n, result.corners);
+  if(opposites.has_equal_halfedges)
+  {
+    remove_duplicate_triangles(result);
+    if(result.report.number_of_duplicate_triangles > 0)
+      opposites = find_opposites(n, result.corners);
+  }
+  result.report.number_of_split_edges = opposites.number_of_nonmanifold_edges;
+  result.twins = orient_triangles(result.corners, std::move(opposites.opposite), result.report);
+  measure_topology(n, result.corners, result.twins, result.report);
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/mesh/polygon_soup.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace polygon_soup_test {
+
+using CGAL::Geodesic_processing::Invalid_argument_error;
+using CGAL::Geodesic_processing::Unsupported_surface_error;
+using namespace CGAL::Geodesic_processing::internal;
+
+Polygon_soup soup(std::vector<Vec3> points, const std::vector<std::vector<Index>>& polygons)
+{
+  Polygon_soup result;
+  result.points = std::move(points);
+  for(const auto& polygon : polygons)
+  {
+    result.corners.insert(result.corners.end(), polygon.begin(), polygon.end());
+    result.polygon_begin.push_back(result.corners.size());
+  }
+  return result;
+}
+
+const std::vector<Vec3> tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+TEST(Repair_soup, keeps_triangles)
+{
+  const Repaired_soup result = repair_soup(soup(tetrahedron, {{2, 0, 1}, {0, 3, 1}}), {});
+  EXPECT_EQ(result.corners, (std::vector<Index>{2, 0, 1, 0, 3, 1}));
+  EXPECT_EQ(result.twins, (std::vector<Index>{none, 5, none, none, none, 1}));
+  EXPECT_EQ(result.polygon, (std::vector<Index>{0, 1}));
+  EXPECT_TRUE(result.replacement.empty());
+  EXPECT_FALSE(result.report.is_changed());
+  EXPECT_TRUE(result.report.is_manifold());
+}
+
+TEST(Repair_soup, removes_degenerate_polygons_and_duplicates)
+{
+  const Repaired_soup result =
+      repair_soup(soup(tetrahedron,
+                       {{0, 1, 1}, {0, 1}, {2}, {}, {0, 1, 2}, {1, 2, 0}, {2, 1, 0}, {3, 3, 1, 2}}),
+                  {});
+  EXPECT_EQ(result.report.number_of_degenerate_faces, 4u);
+  EXPECT_EQ(result.report.number_of_duplicate_triangles, 1u);
+  EXPECT_EQ(result.report.number_of_triangulated_polygons, 1u); // that with four corners
+  EXPECT_EQ(result.polygon, (std::vector<Index>{4, 6, 7}));
+  EXPECT_EQ(result.report.number_of_split_edges, 1u); // three triangles have edge 1-2
+}
+
+TEST(Repair_soup, triangulates_polygons_in_order)
+{
+  const Repaired_soup result =
+      repair_soup(soup({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}},
+                       {{0, 1, 2, 3}, {1, 4, 5, 2}}),
+                  {});
+  EXPECT_EQ(result.polygon, (std::vector<Index>{0, 0, 1, 1}));
+  EXPECT_EQ(result.report.number_of_triangulated_polygons, 2u);
+  EXPECT_EQ(result.report.number_of_components, 1u);
+  EXPECT_EQ(result.report.number_of_boundary_cycles, 1u);
+}
+
+TEST(Repair_soup, removes_triangles_without_area_on_request)
+{
+  // Point 3 is on edge 0-1; triangle 0 3 1 fills the gap between the two others.
+  const Polygon_soup input = soup({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, -1, 0}},
+                                  {{0, 1, 2}, {0, 3, 1}, {3, 0, 4}, {1, 3, 4}});
+  EXPECT_EQ(repair_soup(input, {}).report.number_of_degenerate_faces, 0u);
+  EXPECT_EQ(repair_soup(input, {}).report.number_of_components, 1u);
+  Soup_options options;
+  options.do_remove_degenerate_faces = true;
+  const Repaired_soup result = repair_soup(input, options);
+  EXPECT_EQ(result.report.number_of_degenerate_faces, 1u);
+  EXPECT_EQ(result.polygon, (std::vector<Index>{0, 2, 3}));
+  EXPECT_EQ(result.report.number_of_components, 2u); // they meet at points only
+}
+
+TEST(Repair_soup, splits_nonmanifold_edge)
+{
+  const Repaired_soup result =
+      repair_soup(soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
+                       {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}),
+                  {});
+  EXPECT_EQ(result.twins, std::vector<Index>(9, none));
+  EXPECT_EQ(result.report.number_of_split_edges, 1u);
+  EXPECT_EQ(result.report.number_of_components, 3u);
+  EXPECT_EQ(result.report.number_of_nonmanifold_points, 2u);
+  EXPECT_FALSE(result.report.is_manifold());
+}
+
+TEST(Repair_soup, merges_equal_points_at_any_scale)
+{
+  for(const double scale : {1., 1e-300, 1e-6, 1e6, 1e300})
+  {
+    // Four triangles without common points.
+    std::vector<Vec3> points;
+    std::vector<std::vector<Index>> polygons;
+    for(const auto& triangle : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    {
+      const Index first = Index(points.size());
+      polygons.push_back({first, first + 1, first + 2});
+      for(const Index corner : triangle)
+        points.push_back(scale * tetrahedron[corner]);
+    }
+    EXPECT_EQ(repair_soup(soup(points, polygons), {}).report.number_of_components, 4u);
+    Soup_options options;
+    options.merge_tolerance = 0.;
+    const Repaired_soup result = repair_soup(soup(points, polygons), options);
+    EXPECT_EQ(result.replacement, (std::vector<Index>{0, 1, 2, 0, 2, 5, 2, 1, 5, 1, 0, 5}));
+    EXPECT_EQ(result.report.number_of_merged_points, 8u);
+    EXPECT_EQ(result.report.number_of_components, 1u);
+    EXPECT_EQ(result.report.number_of_boundary_cycles, 0u);
+    EXPECT_EQ(result.report.number_of_flipped_triangles, 0u);
+  }
+}
+
+TEST(Repair_soup, merges_as_search_over_all_pairs)
+{
+  std::mt19937 random(5);
+  for(const double tolerance : {0., 0.05, 0.3, 5.})
+  {
+    std::vector<Vec3> points(200);
+    for(Vec3& p : points)
+      for(double& x : p)
+        x = (random() % 21) / 10. - 1.; // multiples of 0.1, so that some points are equal
+    std::vector<Index> expected(points.size());
+    for(Index i = 0; i < points.size(); ++i)
+    {
+      expected[i] = i;
+      for(Index j = 0; j < i && expected[i] == i; ++j)
+        if(expected[j] == j && std::hypot(points[i][0] - points[j][0], points[i][1] - points[j][1],
+                                          points[i][2] - points[j][2]) <= tolerance)
+          expected[i] = j;
+    }
+    Soup_options options;
+    options.merge_tolerance = tolerance;
+    const Repaired_soup result = repair_soup(soup(points, {}), options);
+    std::vector<Index> all(points.size());
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_EQ(result.replacement.empty() ? all : result.replacement, expected);
+  }
+}
+
+TEST(Repair_soup, of_random_polygons_satisfies_invariants)
+{
+  std::mt19937 random(3);
+  for(int round = 0; round < 200; ++round)
+  {
+    std::vector<Vec3> points(8);
+    for(Vec3& p : points)
+      for(double& x : p)
+        x = random() % 4;
+    std::vector<std::vector<Index>> polygons(1 + round / 8);
+    for(auto& polygon : polygons)
+      for(std::size_t k = random() % 6; k > 0; --k)
+        polygon.push_back(random() % 8);
+    Soup_options options;
+    if(round % 2 == 1)
+      options.merge_tolerance = 0.;
+    options.do_remove_degenerate_faces = round % 3 == 0;
+    const Repaired_soup result = repair_soup(soup(points, polygons), options);
+    ASSERT_EQ(result.corners.size(), 3 * result.polygon.size());
+    ASSERT_EQ(result.twins.size(), result.corners.size());
+    EXPECT_TRUE(std::is_sorted(result.polygon.begin(), result.polygon.end()));
+    for(Index h = 0; h < result.twins.size(); ++h)
+    {
+      EXPECT_NE(result.corners[h], result.corners[next_halfedge(h)]);
+      const Index twin = result.twins[h];
+      if(twin == none)
+        continue;
+      EXPECT_EQ(result.twins[twin], h);
+      EXPECT_EQ(result.corners[h], result.corners[next_halfedge(twin)]);
+      EXPECT_EQ(result.corners[twin], result.corners[next_halfedge(h)]);
+    }
+    EXPECT_LE(result.report.genus, result.polygon.size()); // not negative
+  }
+}
+
+TEST(Repair_soup, rejects_invalid_input)
+{
+  const double nan = std::nan("");
+  EXPECT_THROW(repair_soup(soup(tetrahedron, {{0, 1, 4}}), {}), Invalid_argument_error);
+  EXPECT_THROW(repair_soup(soup({{0, nan, 0}}, {}), {}), Invalid_argument_error);
+  Soup_options options;
+  for(const double tolerance : {-1., nan, infinity})
+  {
+    options.merge_tolerance = tolerance;
+    EXPECT_THROW(repair_soup(soup(tetrahedron, {{0, 1, 2}}), options), Invalid_argument_error);
+  }
+  std::vector<Index> polygon(10001);
+  std::iota(polygon.begin(), polygon.end(), 0);
+  const std::vector<Vec3> points(10001, Vec3{1., 2., 3.});
+  EXPECT_THROW(repair_soup(soup(points, {polygon}), {}), Unsupported_surface_error);
+}
+
+} // namespace polygon_soup_test
