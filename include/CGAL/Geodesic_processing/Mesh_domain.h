@@ -153,15 +153,16 @@ protected:
     std::shared_ptr<const TriangleMesh> mesh_of_soup; // null if the caller owns the mesh
   };
   // Builds the arrays from vertices and faces in the order of the caller, which are then sorted.
+  // Returns the number of triangles without area.
   //
   // replacements: #data.merged_vertices, positions in data.vertices
   // coordinates: #vertices
   // corners: 3 #triangles, positions in data.vertices
   // twins: 3 #triangles
-  void build(Data data, const std::vector<internal::Index>& replacements,
-             std::vector<std::array<double, 3>> coordinates,
-             const std::vector<internal::Index>& corners,
-             const std::vector<internal::Index>& twins);
+  std::size_t build(Data data, const std::vector<internal::Index>& replacements,
+                    std::vector<std::array<double, 3>> coordinates,
+                    const std::vector<internal::Index>& corners,
+                    const std::vector<internal::Index>& twins);
 
   const TriangleMesh* m_mesh = nullptr;
   std::shared_ptr<const internal::Surface_arrays> m_triangles;
@@ -254,10 +255,11 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
 }
 
 template <typename TriangleMesh>
-void Mesh_domain<TriangleMesh>::build(Data data, const std::vector<internal::Index>& replacements,
-                                      std::vector<std::array<double, 3>> coordinates,
-                                      const std::vector<internal::Index>& corners,
-                                      const std::vector<internal::Index>& twins)
+std::size_t Mesh_domain<TriangleMesh>::build(Data data,
+                                             const std::vector<internal::Index>& replacements,
+                                             std::vector<std::array<double, 3>> coordinates,
+                                             const std::vector<internal::Index>& corners,
+                                             const std::vector<internal::Index>& twins)
 {
   using internal::Index;
   const auto read_vertices = std::move(data.vertices);
@@ -299,6 +301,7 @@ void Mesh_domain<TriangleMesh>::build(Data data, const std::vector<internal::Ind
   }
   m_triangles = std::make_shared<const internal::Surface_arrays>(std::move(arrays.arrays));
   m_data = std::make_shared<const Data>(std::move(data));
+  return arrays.number_of_degenerate_triangles;
 }
 
 template <typename TriangleMesh>

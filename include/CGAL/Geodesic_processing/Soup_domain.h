@@ -159,7 +159,8 @@ void Soup_domain<Point>::initialize(Surface_mesh<Point> repaired_mesh,
 
   data.mesh_of_soup = mesh;
   this->m_mesh = mesh.get();
-  this->build(std::move(data), replacements, std::move(coordinates), soup.corners, soup.twins);
+  soup.report.number_of_triangles_without_area =
+      this->build(std::move(data), replacements, std::move(coordinates), soup.corners, soup.twins);
   m_content = std::make_shared<const Content>(Content{soup.report, std::move(soup.polygon)});
 }
 

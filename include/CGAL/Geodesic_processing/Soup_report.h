@@ -23,6 +23,8 @@ struct Soup_report
   /// triangles that were removed because an earlier one has the same corners in the same cyclic
   /// order
   std::size_t number_of_duplicate_triangles = 0;
+  /// triangles without area in double precision that remain
+  std::size_t number_of_triangles_without_area = 0;
   /// triangles whose orientation was reversed
   std::size_t number_of_flipped_triangles = 0;
   /// edges at which the surface was split: those of three or more triangles, and those in which a

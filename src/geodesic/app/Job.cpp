@@ -84,7 +84,9 @@ const Surface& Job::read(const std::vector<std::string>& extensions)
     m_display = std::make_unique<Display>();
   }
   begin_stage("read");
-  m_surface = read_surface(m_input, threads());
+  Surface_file file = read_surface_file(m_input);
+  begin_stage("prepare");
+  m_surface = repair(std::move(file), m_input, threads());
   (*m_result)["input"] = m_input;
   (*m_result)["repaired"] = m_surface.is_repaired;
   (*m_result)["kind"] = m_surface.is_mesh() ? "mesh" : "cloud";

@@ -138,7 +138,7 @@ reconstructed_file(const Mesh& mesh,
 Atlas_result make_atlas(const Surface& surface, const Atlas_options& options, const Image& image,
                         Job& job)
 {
-  Mesh mesh = surface.is_mesh() ? make_mesh(surface) : Mesh();
+  Mesh mesh = surface.is_mesh() ? surface.domain->mesh() : Mesh();
   const auto corner_uv = mesh.add_property_map<Mesh::Halfedge_index, UV>("h:uv").first;
   const auto charts = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:chart").first;
   const auto np = GP::parameters::texture_size(options.texels)

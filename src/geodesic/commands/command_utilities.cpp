@@ -98,7 +98,11 @@ std::vector<std::uint32_t> picture_triangles(const Cloud_domain& domain)
   return corners;
 }
 
-Mesh_domain make_domain(const Mesh& mesh, const Job&) { return Mesh_domain(mesh); }
+Mesh_domain make_domain(const Mesh& mesh, const Job& job)
+{
+  const auto& domain = job.surface().domain;
+  return domain && &domain->mesh() == &mesh ? Mesh_domain(*domain) : Mesh_domain(mesh);
+}
 
 Cloud_domain make_domain(const Cloud& cloud, const Job& job)
 {

@@ -27,7 +27,7 @@ template <typename Function>
 void visit_surface(const Surface& surface, Function f)
 {
   if(surface.is_mesh())
-    f(make_mesh(surface));
+    f(surface.domain->mesh());
   else
     f(make_cloud(surface));
 }
@@ -85,7 +85,8 @@ auto with_method_tag(const std::string& method, Function f)
   return f(GP::Automatic());
 }
 
-// Domains of all commands that compute distances
+// Domains of all commands that compute distances. The mesh may be that of the job's surface, whose
+// domain exists already.
 using Mesh_domain = GP::Mesh_domain<Mesh>;
 using Cloud_domain = GP::Surfel_domain<Cloud>;
 Mesh_domain make_domain(const Mesh& mesh, const Job& job);

@@ -14,9 +14,7 @@ namespace program {
 
 namespace {
 
-// Not public: Domains do not count degenerate faces, and no function returns the connected
-// components of a cloud.
-using GP::internal::build_mesh_arrays;
+// Not public: No function returns the connected components of vertices, or the angles of triangles.
 using GP::internal::components;
 using GP::internal::Surface_arrays;
 
@@ -83,37 +81,38 @@ struct Picture_regions
 
 Picture_regions report_mesh(Job& job)
 {
-  const Surface& surface = job.surface();
-  const Connectivity& connectivity = surface.connectivity;
-  const auto mesh =
-      build_mesh_arrays(surface.file.points, surface.file.corners, connectivity.twins);
+  const auto& domain = *job.surface().domain;
+  const GP::Soup_report& report = domain.report();
+  const Surface_arrays& triangles = *domain.triangles();
   job.begin_stage("query");
-  const Mesh_quality quality = compute_quality(mesh.arrays);
-  const std::size_t faces = surface.file.number_of_polygons();
+  const Mesh_quality quality = compute_quality(triangles);
   Json_object result = job.result();
-  result["components"] = connectivity.number_of_components;
-  result["boundary_loops"] = connectivity.number_of_boundary_loops;
-  result["genus"] = connectivity.genus(faces);
-  result["manifold"] = connectivity.is_manifold();
+  result["components"] = report.number_of_components;
+  result["boundary_loops"] = report.number_of_boundary_cycles;
+  result["genus"] = report.genus;
+  result["manifold"] = report.is_manifold();
   result["area"] = json_number(quality.area);
   const bool has_angles = quality.max_angle > 0.;
   result["min_angle"] = json_number(has_angles ? quality.min_angle : INFINITY);
   result["max_angle"] = json_number(has_angles ? quality.max_angle : INFINITY);
-  result["degenerate_faces"] = mesh.number_of_degenerate_triangles;
+  result["degenerate_faces"] = report.number_of_triangles_without_area;
 
-  job.print_line("components      " + std::to_string(connectivity.number_of_components));
-  job.print_line("boundary loops  " + std::to_string(connectivity.number_of_boundary_loops));
-  job.print_line("genus           " + std::to_string(connectivity.genus(faces)));
-  job.print_line(std::string("manifold        ") + (connectivity.is_manifold() ? "yes" : "no"));
+  job.print_line("components      " + std::to_string(report.number_of_components));
+  job.print_line("boundary loops  " + std::to_string(report.number_of_boundary_cycles));
+  job.print_line("genus           " + std::to_string(report.genus));
+  job.print_line(std::string("manifold        ") + (report.is_manifold() ? "yes" : "no"));
   if(has_angles)
     job.print_line("angles          " + rounded_text(quality.min_angle) + " to " +
                    rounded_text(quality.max_angle) + " degrees");
   job.print_line("area            " + rounded_text(quality.area));
-  job.print_line("degenerate      " + std::to_string(mesh.number_of_degenerate_triangles) +
+  job.print_line("degenerate      " + std::to_string(report.number_of_triangles_without_area) +
                  " faces");
-  if(connectivity.number_of_components < 2 || job.picture().empty())
+  if(report.number_of_components < 2 || job.picture().empty())
     return {};
-  return {component_labels(mesh.arrays, mesh.internal_vertex), {}};
+  std::vector<std::uint32_t> vertex;
+  for(const Mesh::Vertex_index v : domain.mesh().vertices())
+    vertex.push_back(domain.index(v));
+  return {component_labels(triangles, vertex), {}};
 }
 
 // Reports connected components of the surfel graph: surfels without a connecting path are

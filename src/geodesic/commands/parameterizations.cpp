@@ -18,7 +18,7 @@ std::vector<std::array<double, 2>> parameterization(const Surface& surface,
                                                     const std::string& method)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
-  Mesh mesh = make_mesh(surface);
+  Mesh mesh = surface.domain->mesh();
   const auto boundary = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
   if(boundary == Mesh::null_halfedge())
     throw Input_error(surface.name + ": the mesh has no boundary.");

@@ -104,7 +104,7 @@ void run_remesh(Job& job, const Remesh_options& options)
   Remesh_result result;
   if(surface.is_mesh())
   {
-    Mesh mesh = make_mesh(surface);
+    Mesh mesh = surface.domain->mesh();
     if(options.max_hole_edges)
       fill_and_report(mesh, *options.max_hole_edges, job);
     result = find_mesh(mesh, options, job);

@@ -220,7 +220,7 @@ void run_volume(Job& job, const Volume_options& options)
     fail(surface.name, "volume needs a closed mesh, but the input is a cloud");
 
   job.begin_stage("prepare");
-  const Mesh mesh = make_mesh(surface);
+  const Mesh& mesh = surface.domain->mesh();
   std::optional<Metric> metric;
   if(options.refine)
     metric.emplace(mesh, GP::parameters::number_of_refinements(

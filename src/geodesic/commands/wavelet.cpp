@@ -117,7 +117,7 @@ void run_wavelet(Job& job, const Wavelet_options& options)
   if(!surface.is_mesh())
     throw Input_error(job.input() + ": wavelet needs a mesh, but the input is a cloud.");
   job.begin_stage("prepare");
-  const Wavelet_result result = approximate(make_mesh(surface), options, job);
+  const Wavelet_result result = approximate(surface.domain->mesh(), options, job);
   const double error = root_mean_square(surface.file.points, result.points);
   job.result()["rms"] = json_number(error);
   job.print_line("error           " + rounded_text(error) + " (root mean square)");

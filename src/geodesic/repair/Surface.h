@@ -4,11 +4,15 @@
 #define GEODESIC_PROGRAM_REPAIR_SURFACE_H
 
 #include "io/Surface_file.h"
-#include "repair/repair.h"
 
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Geodesic_processing/Soup_domain.h>
+
 #include <CGAL/Point_set_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <optional>
+#include <string>
 
 namespace program {
 
@@ -28,22 +32,18 @@ Point coordinates(const Point_or_vector& p)
 struct Surface
 {
   std::string name;
-  Surface_file file;         // oriented triangles, or points with unit normals
-  Connectivity connectivity; // of a mesh
+  Surface_file file; // oriented triangles, or points with unit normals
+  // Of a mesh. Vertex i of its mesh is vertex i of the file. A vertex with several fans remains
+  // one vertex, so that fronts propagate from fan to fan.
+  std::optional<CGAL::Geodesic_processing::Soup_domain<Kernel::Point_3>> domain;
   bool is_repaired = false;
 
-  bool is_mesh() const { return file.number_of_polygons() > 0; }
+  bool is_mesh() const { return domain.has_value(); }
 };
-
-Surface read_surface(const std::string& filename, unsigned threads = 1);
 
 // Checks coordinates and indices, then repairs the surface. Throws Input_error. Does not access
 // files.
 Surface repair(Surface_file file, const std::string& name, unsigned threads = 1);
-
-// Returns the mesh. Vertex i of the mesh is vertex i of the file. A vertex with several fans
-// remains one vertex, so that fronts propagate from fan to fan.
-Mesh make_mesh(const Surface& surface);
 
 // Returns the cloud with normals and, if the file has it, the property "radius". Surfel i is point
 // i of the file.

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "repair/repair.h"
+#include "repair/complete_normals.h"
 
 #include "io/vectors.h"
 
