@@ -68,6 +68,14 @@ void call(Mesh& mesh, Cloud& cloud)
   GP::geodesic_distances<GP::Exact>(cloud, *cloud.begin(), of_surfels);
   // REASON: pass a mesh that receives the reconstructed surface
   GP::texture_atlas(cloud, 10, uv);
+  // REASON: The value of a UV map is a Point_2, a Vector_2 or a std::array of two numbers
+  GP::texture_atlas(mesh, 10, mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_3>().first);
+  // REASON: callback is a function that takes the completed fraction
+  GP::geodesic_distances(mesh, v, distances, GP::parameters::callback([](double) {}));
+  // REASON: The last argument of a function is a chain of named parameters
+  GP::geodesic_distances(mesh, v, distances, of_faces);
+  // REASON: The template argument Surface is the mesh or the cloud
+  GP::Geodesic_distance_solver<GP::Mesh_domain<Mesh>> solver(mesh);
   // REASON: An edge map requires a mesh, because a cloud has no edges
   GP::geodesic_delaunay_remeshing(cloud, 10, mesh,
                                   GP::parameters::edge_is_constrained_map(of_edges));

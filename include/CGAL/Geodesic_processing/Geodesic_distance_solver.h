@@ -166,6 +166,7 @@ public:
 
   /// Returns the distance of a vertex or surfel; +infinity if no source reaches it.
   /// \param vertex a vertex or surfel of the surface
+  /// \pre `vertex` belongs to the surface. This is not checked.
   double distance(Vertex vertex) const
   {
     return scale() * m_engine.distance(m_domain.index(vertex));

@@ -117,6 +117,23 @@ struct Surface_traits
   using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3;
 };
 
+// The template argument of a class is a surface, not a domain.
+template <typename Domain>
+struct Domain_as_surface
+{
+  static_assert(sizeof(Domain) == 0, "The template argument Surface is the mesh or the cloud, also "
+                                     "if a domain is passed: use Surface_of<Domain>.");
+};
+template <typename TriangleMesh>
+struct Surface_traits<Mesh_domain<TriangleMesh>, false> : Domain_as_surface<TriangleMesh>
+{};
+template <typename SurfelRange>
+struct Surface_traits<Surfel_domain<SurfelRange>, false> : Domain_as_surface<SurfelRange>
+{};
+template <typename Point>
+struct Surface_traits<Soup_domain<Point>, false> : Domain_as_surface<Point>
+{};
+
 template <typename SurfelRange>
 struct Surface_traits<SurfelRange, true>
 {

@@ -23,7 +23,7 @@ struct Surface_path
   using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
 
   std::vector<Location> locations; ///< the vertices of the polyline; empty if there is no path
-  std::vector<Point_3> points;     ///< the positions of the locations in space
+  std::vector<Point_3> points;     ///< the positions of the locations, of the surface's kernel
   double length = 0.;              ///< the length of the polyline
   /// the distance that the method computes; +infinity if there is no path. With speeds it is a
   /// travel time, and the other members remain lengths

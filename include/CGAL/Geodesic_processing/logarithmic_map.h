@@ -105,7 +105,7 @@ public:
   using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
   using Vector_3 = typename Domain::Vector_3;
-  using Vector = std::array<double, 2>;
+  using Vector = std::array<double, 2>; ///< a tangent vector: components along the two axes
 
   /// Precomputes the domain of the surface in the time of `make_domain()`, and uses it.
   ///

@@ -100,8 +100,8 @@ CGAL_GEODESIC_PROCESSING_OWN_NAMES(CGAL_GEODESIC_PROCESSING_TAG)
 
 } // namespace internal_np
 
-/// The named parameters of this package, which can be chained with named parameters of \cgal in
-/// any order.
+/// The named parameters of this package and, in addition, those of \cgal. A chain that begins with
+/// a function of this namespace can be continued with the names of both, in any order.
 namespace parameters {
 
 using namespace CGAL::parameters;
@@ -185,13 +185,6 @@ auto chain(const NamedParameters& np)
   return parameters::Chain<Plain>(plain(np));
 }
 
-template <typename NamedParameters, typename Tag, typename Default>
-auto parameter(const NamedParameters& np, Tag tag, Default otherwise)
-{
-  return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(plain(np), tag),
-                                            std::move(otherwise));
-}
-
 template <typename T, typename Tag, typename Base>
 std::true_type test_named_parameters(const CGAL::Named_function_parameters<T, Tag, Base>*);
 std::false_type test_named_parameters(const void*);
@@ -200,6 +193,15 @@ std::false_type test_named_parameters(const void*);
 template <typename T>
 inline constexpr bool is_named_parameters =
     decltype(test_named_parameters(static_cast<const T*>(nullptr)))::value;
+
+template <typename NamedParameters, typename Tag, typename Default>
+auto parameter(const NamedParameters& np, Tag tag, Default otherwise)
+{
+  static_assert(is_named_parameters<NamedParameters>,
+                "The last argument of a function is a chain of named parameters.");
+  return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(plain(np), tag),
+                                            std::move(otherwise));
+}
 
 template <typename NamedParameters, typename Tag>
 inline constexpr bool has_parameter =

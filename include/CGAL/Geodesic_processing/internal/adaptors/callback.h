@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <functional>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -18,6 +19,11 @@ using Callback = std::function<bool(double)>;
 template <typename NamedParameters>
 Callback read_callback(const NamedParameters& np)
 {
+  static_assert(
+      std::is_convertible_v<decltype(parameter(np, CGAL::internal_np::callback, Callback())),
+                            Callback>,
+      "callback is a function that takes the completed fraction, a double, and returns a "
+      "bool.");
   return parameter(np, CGAL::internal_np::callback, Callback());
 }
 

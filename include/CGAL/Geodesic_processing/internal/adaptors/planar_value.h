@@ -15,7 +15,11 @@ Value planar_value(double u, double v)
   if constexpr(std::is_constructible_v<Value, double, double>)
     return Value(u, v);
   else
+  {
+    static_assert(std::is_aggregate_v<Value>,
+                  "The value of a UV map is a Point_2, a Vector_2 or a std::array of two numbers.");
     return Value{u, v};
+  }
 }
 
 } // namespace CGAL::Geodesic_processing::internal
