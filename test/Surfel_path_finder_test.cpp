@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_3/IO.h>
 
 #include "Mesh_of.h"
+#include "clouds.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Surfel_path_finder_test {
@@ -176,14 +178,66 @@ std::vector<GP::internal::Vec3> coordinates(const Point_set& points)
   return result;
 }
 
-// Returns a scan with normals, which are estimated if the file has none. Returns an empty set if
-// the file is missing.
-Point_set scan(const std::string& name)
+Point_set point_set(const Cloud& cloud)
+{
+  Point_set result(true);
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const auto &p = cloud.points[i], &n = cloud.normals[i];
+    result.insert({p[0], p[1], p[2]}, {n[0], n[1], n[2]});
+  }
+  return result;
+}
+
+// Returns a cloud whose points deviate by up to a fraction of the spacing.
+Point_set rough(const Cloud& cloud, double spacing, double level)
+{
+  return point_set(with_noise(cloud, std::vector<double>(cloud.size(), spacing), level, 1));
+}
+
+// A hilly square with a hole. The density on the left is 17 times that on the right.
+Cloud uneven_hills()
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0., 1.);
+  Cloud result;
+  while(result.size() < 8000)
+  {
+    const double u = unit(random), x = 0.2 * u + 0.8 * u * u * u * u, y = unit(random);
+    if(std::hypot(x - 0.3, y - 0.5) < 0.15)
+      continue;
+    const double height = 0.05 * std::sin(9. * x) * std::cos(8. * y);
+    result.add({x, y, height}, GP::internal::unit({-0.45 * std::cos(9. * x) * std::cos(8. * y),
+                                                   0.4 * std::sin(9. * x) * std::sin(8. * y), 1.}));
+  }
+  return result;
+}
+
+// The unit sphere with normally distributed noise: points deviate by 1.7 times their spacing, and
+// normals by 18 degrees.
+Point_set noisy_sphere(std::size_t n)
+{
+  const double spacing = std::sqrt(4. * CGAL_PI / double(n));
+  std::mt19937 random(1);
+  std::normal_distribution<double> offset(0., 1.7 * spacing), slope(0., 0.27);
+  Cloud cloud;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const GP::internal::Vec3 p = on_spiral(i, n);
+    const auto [u, v] = GP::internal::tangent_frame(p);
+    cloud.add((1. + offset(random)) * p,
+              GP::internal::unit(p + slope(random) * u + slope(random) * v));
+  }
+  return point_set(cloud);
+}
+
+// Appends a scan with normals, which are estimated if the file has none, if the file exists.
+void add_scan(std::vector<std::pair<std::string, Point_set>>& scans, const std::string& name)
 {
   Point_set points;
   const std::string file = model("points/" + name);
   if(file.empty())
-    return {};
+    return;
   if(!CGAL::IO::read_point_set(file, points))
     throw std::runtime_error("Not readable: " + name);
   if(!points.has_normal_map())
@@ -193,7 +247,7 @@ Point_set scan(const std::string& name)
     for(std::size_t i = 0; i < normals.size(); ++i)
       points.normal(*(points.begin() + i)) = {normals[i][0], normals[i][1], normals[i][2]};
   }
-  return points;
+  scans.emplace_back(name, std::move(points));
 }
 
 // Checks random paths and calls `visit(path)`. The distance of path points to the nearest surfel
@@ -235,13 +289,16 @@ void expect_path_points_near_surfels(const Point_set& points, int number_of_path
 
 TEST(Surfel_path_finder, stays_near_surfels_of_scans)
 {
-  for(const std::string name :
+  std::vector<std::pair<std::string, Point_set>> scans;
+  scans.emplace_back("torus", rough(torus_cloud(8000, 0.4), 0.045, 0.3));
+  scans.emplace_back("ellipsoid", rough(ellipsoid_cloud(6000, {1., 1.5, 0.6}), 0.05, 0.3));
+  for(const char* const name :
       {"bunny_scan_bun000_40k.ply", "ball_31k.ply", "kitten_normals_5k.xyz"})
+    add_scan(scans, name);
+  for(const auto& scan : scans)
   {
-    SCOPED_TRACE(name);
-    const Point_set points = scan(name);
-    if(points.empty())
-      GTEST_SKIP() << no_models;
+    SCOPED_TRACE(scan.first);
+    const Point_set& points = scan.second;
     expect_path_points_near_surfels(points, 25,
                                     [&](const auto& path)
                                     {
@@ -261,13 +318,15 @@ TEST(Surfel_path_finder, stays_near_surfels_of_uneven_scans)
 {
   // An aerial scan, a noisy scan of a quarry, a scan from one viewpoint with a density ratio of
   // hundreds, and a scan with holes.
-  for(const std::string name :
+  std::vector<std::pair<std::string, Point_set>> scans;
+  scans.emplace_back("hills", point_set(uneven_hills()));
+  scans.emplace_back("stripes", point_set(scanned_square(40, 200, 1)));
+  for(const char* const name :
       {"b9_aerial_22k.ply", "isprs_samp53_34k_utm.ply", "radar_21k.ply", "hippo1_6k.ply"})
+    add_scan(scans, name);
+  for(const auto& [name, points] : scans)
   {
     SCOPED_TRACE(name);
-    const Point_set points = scan(name);
-    if(points.empty())
-      GTEST_SKIP() << no_models;
     expect_path_points_near_surfels(points, 20, [](const auto&) {});
   }
 }
@@ -276,28 +335,32 @@ TEST(Surfel_path_finder, is_robust_to_strong_noise)
 {
   // Points deviate from a unit sphere by 1.7 times their spacing. Normals deviate by 18 degrees in
   // the median.
-  const Point_set points = scan("sphere_21k_normals.ply");
-  if(points.empty())
-    GTEST_SKIP() << no_models;
-  GP::Surfel_path_finder<Point_set> finder(points);
-  EXPECT_GT(finder.noise(), 0.5);
-  std::mt19937 random(1);
-  double sum = 0.;
-  constexpr int number_of_paths = 30;
-  for(int i = 0; i < number_of_paths; ++i)
+  std::vector<std::pair<std::string, Point_set>> scans;
+  scans.emplace_back("noisy sphere", noisy_sphere(21000));
+  add_scan(scans, "sphere_21k_normals.ply");
+  for(const auto& [name, points] : scans)
   {
-    const auto from = *(points.begin() + random() % points.size()),
-               to = *(points.begin() + random() % points.size());
-    const auto direction = [&](const auto& surfel)
+    SCOPED_TRACE(name);
+    GP::Surfel_path_finder<Point_set> finder(points);
+    EXPECT_GT(finder.noise(), 0.5);
+    std::mt19937 random(1);
+    double sum = 0.;
+    constexpr int number_of_paths = 30;
+    for(int i = 0; i < number_of_paths; ++i)
     {
-      const auto v = finder.point(surfel) - CGAL::ORIGIN;
-      return v / std::sqrt(v.squared_length());
-    };
-    const double expected = std::acos(direction(from) * direction(to));
-    sum += std::pow(finder(from, to).front_distance / expected - 1., 2);
+      const auto from = *(points.begin() + random() % points.size()),
+                 to = *(points.begin() + random() % points.size());
+      const auto direction = [&](const auto& surfel)
+      {
+        const auto v = finder.point(surfel) - CGAL::ORIGIN;
+        return v / std::sqrt(v.squared_length());
+      };
+      const double expected = std::acos(direction(from) * direction(to));
+      sum += std::pow(finder(from, to).front_distance / expected - 1., 2);
+    }
+    // End points are off by 0.005 of the radius. Distances are 1.6 in the mean, some only 0.4.
+    EXPECT_LT(std::sqrt(sum / number_of_paths), 0.01);
   }
-  // End points are off by 0.005 of the radius. Distances are 1.6 in the mean, some only 0.4.
-  EXPECT_LT(std::sqrt(sum / number_of_paths), 0.01);
 }
 
 TEST(Surfel_path_finder, copies_share_fitted_cloud)

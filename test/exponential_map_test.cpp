@@ -8,6 +8,7 @@
 
 #include "Mesh_of.h"
 #include "clouds.h"
+#include "rough_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -40,10 +41,11 @@ TEST(exponential_map, inverts_logarithmic_map)
   };
   EXPECT_EQ(fraction_recovered(mesh_of(icosphere(4)), Vertex(7), 1.5), 1.);
   EXPECT_EQ(fraction_recovered(mesh_of(square(20, 0.25)), Vertex(220), 0.7), 1.);
+  // If a shortest path bends at a saddle vertex, the straightest path leaves it. This affects 3 % of
+  // the vertices of the animal and one vertex in eighty of the elephant.
+  EXPECT_GT(fraction_recovered(mesh_of(animal()), Vertex(100), 0.5), 0.95);
   if(Mesh mesh; read_model("meshes/elephant_2k8.off", mesh))
   {
-    // If a shortest path bends at a saddle vertex, the straightest path leaves it. This affects
-    // one vertex in eighty.
     EXPECT_GT(fraction_recovered(mesh, Vertex(100), 0.1), 0.95);
   }
 }

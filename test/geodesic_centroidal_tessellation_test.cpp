@@ -10,6 +10,7 @@
 #include "Mesh_of.h"
 #include "meshes.h"
 #include "openmesh.h"
+#include "rough_surfaces.h"
 #include "topology.h"
 
 #include <gtest/gtest.h>
@@ -196,15 +197,18 @@ TEST(Geodesic_centroidal_tessellation, respects_method_speed_and_iteration_limit
   EXPECT_GE(cells, 1u);
 }
 
-TEST(Geodesic_centroidal_tessellation, patches_are_disks_on_real_models)
+TEST(Geodesic_centroidal_tessellation, patches_are_disks_on_rough_surfaces)
 {
-  // Each model is connected. The rotor has handles, and the shark's boundary cycles are holes.
-  for(const char* const name : {"fandisk_6k5", "rotor_2k4", "mech_holes_shark_5k", "elephant_2k8"})
+  // Each surface is connected. The knot and the rotor have handles, and the shark's boundary cycles
+  // are holes.
+  std::vector<std::pair<std::string, Triangulation>> surfaces = {
+      {"animal", animal()}, {"knot", knot(200, 16)}, {"bone", bone()}};
+  add_models(surfaces, {"meshes/fandisk_6k5.off", "meshes/rotor_2k4.off",
+                        "meshes/mech_holes_shark_5k.off", "meshes/elephant_2k8.off"});
+  for(const auto& [name, surface] : surfaces)
   {
-    const std::string file = model(std::string("meshes/") + name + ".off");
-    if(file.empty())
-      GTEST_SKIP() << no_models;
-    expect_disks<Mesh>(read_off(file), 30);
+    SCOPED_TRACE(name);
+    expect_disks<Mesh>(surface, 30);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "Mesh_of.h"
 #include "openmesh.h"
+#include "rough_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -282,16 +283,18 @@ TEST(geodesic_lle, isolated_surfels_map_to_nan)
     EXPECT_EQ(std::isnan(uv[i][0]), i >= 500) << i;
 }
 
-// Test models with little or no curvature, measured by the Gauss-Bonnet sum over interior
-// vertices.
+// Patches with little or no curvature, measured by the Gauss-Bonnet sum over interior vertices.
 TEST(geodesic_lle, has_no_flips_on_gently_curved_patches)
 {
-  for(const std::string name :
-      {"hemisphere_2k.ply", "disk_5k.ply", "alligator_3k.ply", "cylinder_locally_refined_8k.ply"})
+  std::vector<std::pair<std::string, Mesh>> patches = {
+      {"half of a sphere",
+       mesh_of(part_of(icosphere(4), [](const Point& p) { return p[2] > 0.; }))},
+      {"skin of an animal", mesh_of(part_of(animal(), [](const Point& p) { return p[2] > 0.8; }))},
+      {"rolled sheet", mesh_of(rolled_sheet())}};
+  add_models(patches, {"patches/hemisphere_2k.ply", "patches/disk_5k.ply",
+                       "patches/alligator_3k.ply", "patches/cylinder_locally_refined_8k.ply"});
+  for(auto& [name, mesh] : patches)
   {
-    Mesh mesh;
-    if(!read_model("patches/" + name, mesh))
-      GTEST_SKIP() << no_models;
     auto uv = vertex_map<UV>(mesh);
     GP::geodesic_lle(mesh, uv);
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << name;
@@ -307,14 +310,14 @@ TEST(geodesic_lle, has_no_flips_on_gently_curved_patches)
 // unflipping.
 TEST(geodesic_lle, unflips_few_inverted_faces)
 {
-  // With other numbers of base points, the linear map of the three peaks folds a tenth of the
-  // faces.
-  for(const auto& [name, number] : {std::pair<std::string, std::size_t>("mushroom_2k.off", 200),
-                                    std::pair<std::string, std::size_t>("three_peaks_2k.off", 250)})
+  std::vector<std::pair<std::string, Mesh>> patches = {{"mushroom", mesh_of(mushroom())},
+                                                       {"three peaks", mesh_of(three_peaks())}};
+  add_models(patches, {"patches/mushroom_2k.off", "patches/three_peaks_2k.off"});
+  for(auto& [name, mesh] : patches)
   {
-    Mesh mesh;
-    if(!read_model("patches/" + name, mesh))
-      GTEST_SKIP() << no_models;
+    // With other numbers of base points, the linear map of the three peaks folds a tenth of the
+    // faces.
+    const std::size_t number = name == "patches/three_peaks_2k.off" ? 250 : 200;
     auto uv = vertex_map<UV>(mesh);
     GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(number));
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << name;

@@ -6,6 +6,7 @@
 
 #include "meshes.h"
 #include "methods.h"
+#include "rough_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -87,19 +88,17 @@ TEST(Fronts_vs_exact_distances, agree_on_rough_sphere)
   expect_agreement(jittered(icosphere(4), 0.01));
 }
 
-class Fronts_vs_exact_distances_on_scans : public testing::TestWithParam<const char*>
-{};
-
-TEST_P(Fronts_vs_exact_distances_on_scans, agree)
+TEST(Fronts_vs_exact_distances, agree_on_rough_surfaces_and_scans)
 {
-  const Triangulation shape = read_off(model(std::string("meshes/") + GetParam()));
-  if(shape.points.empty())
-    GTEST_SKIP() << no_models;
-  expect_agreement(shape);
+  std::vector<std::pair<std::string, Triangulation>> surfaces = {
+      {"animal", animal()}, {"bone", bone()}, {"knot", knot(200, 16)}};
+  add_models(surfaces, {"meshes/elephant_2k8.off", "meshes/femur_3k9.off", "meshes/cow_2k9.off",
+                        "meshes/knot1_3k.off"});
+  for(const auto& [name, surface] : surfaces)
+  {
+    SCOPED_TRACE(name);
+    expect_agreement(surface);
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(Fronts_vs_exact_distances, Fronts_vs_exact_distances_on_scans,
-                         testing::Values("elephant_2k8.off", "femur_3k9.off", "cow_2k9.off",
-                                         "knot1_3k.off"));
 
 } // namespace fronts_vs_exact_distances

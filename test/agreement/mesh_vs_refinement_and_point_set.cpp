@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes.h"
 #include "methods.h"
+#include "rough_surfaces.h"
 
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
@@ -106,19 +107,17 @@ TEST(Distances_vs_refinement_and_point_set, agree_with_point_set)
   EXPECT_LT(mean_difference(on_cloud, on_mesh), 0.002);
 }
 
-class Distances_vs_refinement_on_scans : public testing::TestWithParam<const char*>
-{};
-
-TEST_P(Distances_vs_refinement_on_scans, agree)
+TEST(Distances_vs_refinement_and_point_set, agree_on_rough_surfaces_and_scans)
 {
-  const Triangulation shape = read_off(model(std::string("meshes/") + GetParam()));
-  if(shape.points.empty())
-    GTEST_SKIP() << no_models;
-  expect_agreement_with_refined(shape);
-  expect_agreement_of_heat_and_front(shape);
+  std::vector<std::pair<std::string, Triangulation>> surfaces = {{"animal", animal()},
+                                                                 {"bone", bone()}};
+  add_models(surfaces, {"meshes/elephant_2k8.off", "meshes/femur_3k9.off", "meshes/cow_2k9.off"});
+  for(const auto& [name, surface] : surfaces)
+  {
+    SCOPED_TRACE(name);
+    expect_agreement_with_refined(surface);
+    expect_agreement_of_heat_and_front(surface);
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(Distances_vs_refinement_and_point_set, Distances_vs_refinement_on_scans,
-                         testing::Values("elephant_2k8.off", "femur_3k9.off", "cow_2k9.off"));
 
 } // namespace mesh_vs_refinement_and_point_set

@@ -8,6 +8,7 @@
 
 #include "Array_surface.h"
 #include "meshes.h"
+#include "rough_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -87,14 +88,17 @@ TEST(Windows_vs_chen_han, agree_on_spikes)
 
 TEST(Windows_vs_chen_han, agree_on_scans_and_cad_models)
 {
-  for(const char* name : {"meshes/pig_468.off", "meshes/spool_649.off", "patches/patch_01_735.off"})
-    if(const Triangulation shape = read_off(model(name)); !shape.points.empty())
-      expect_agreement(shape, unfolding_tolerance);
+  std::vector<std::pair<std::string, Triangulation>> surfaces = {{"animal", animal(3)},
+                                                                 {"spool", spool(60)}};
+  add_models(surfaces, {"meshes/pig_468.off", "meshes/spool_649.off", "patches/patch_01_735.off"});
+  for(const auto& [name, surface] : surfaces)
+  {
+    SCOPED_TRACE(name);
+    expect_agreement(surface, unfolding_tolerance);
+  }
   // With angles of half a degree, the height of a needle has seven fewer accurate digits.
-  if(const Triangulation shape = read_off(model("meshes/joint_221.off")); !shape.points.empty())
-    expect_agreement(shape, 1e-6);
-  if(model("meshes/pig_468.off").empty())
-    GTEST_SKIP() << no_models;
+  if(Triangulation joint; read_model("meshes/joint_221.off", joint))
+    expect_agreement(joint, 1e-6);
 }
 
 } // namespace windows_vs_chen_han

@@ -104,10 +104,6 @@ inline std::string model(const std::string& name)
   return {};
 }
 
-// The reason to skip tests that need the shared models.
-constexpr const char* no_models =
-    "The shared models were not found: set GEODESIC_PROCESSING_DATA to their folder.";
-
 // Reads a shared model.  Returns false if it does not exist.
 template <typename Mesh>
 bool read_model(const std::string& name, Mesh& mesh)
@@ -118,6 +114,22 @@ bool read_model(const std::string& name, Mesh& mesh)
   if(!CGAL::IO::read_polygon_mesh(file, mesh))
     throw std::runtime_error("Not readable: " + name);
   return true;
+}
+
+inline bool read_model(const std::string& name, Triangulation& surface)
+{
+  surface = read_off(model(name));
+  return !surface.points.empty();
+}
+
+// Appends the shared models that exist.
+template <typename Surface>
+void add_models(std::vector<std::pair<std::string, Surface>>& surfaces,
+                const std::vector<std::string>& names)
+{
+  for(const std::string& name : names)
+    if(Surface surface; read_model(name, surface))
+      surfaces.emplace_back(name, std::move(surface));
 }
 
 } // namespace CGAL::Geodesic_processing::test
