@@ -15,6 +15,12 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using Mesh_source = GP::Source<Mesh>;
 
+// Round-off errors of sums of some tens of lengths below 4.
+constexpr double round_off = 1e-12;
+
+// Smallest improvement that the front accepts.
+constexpr double front_tolerance = 1e-8;
+
 template <typename Method>
 class Geodesic_distance_solver : public testing::Test
 {
@@ -116,12 +122,11 @@ TYPED_TEST(Geodesic_distance_solver, distances_of_targets_match_full_run)
   {
     const auto target = random_location_of(this->mesh, random);
     solver.compute(Vertex(3), GP::parameters::targets(target));
-    EXPECT_NEAR(solver.distance(target), full.distance(target),
-                1e-8); // smallest improvement that the front accepts
+    EXPECT_NEAR(solver.distance(target), full.distance(target), front_tolerance);
     const std::vector<Vertex> targets = {Vertex(10), Vertex(Mesh::size_type(random() % 2000))};
     solver.compute(Vertex(3), GP::parameters::targets(targets));
     for(const Vertex v : targets)
-      EXPECT_NEAR(solver.distance(v), full.distance(v), 1e-8);
+      EXPECT_NEAR(solver.distance(v), full.distance(v), front_tolerance);
   }
 }
 
@@ -136,13 +141,13 @@ TYPED_TEST(Geodesic_distance_solver, respects_maximum_distance_inside_faces)
   {
     const auto location = random_location_of(this->mesh, random);
     const double full_distance = full.distance(location);
-    if(full_distance > 0.5 + 1e-8) // smallest improvement that the front accepts
+    if(full_distance > 0.5 + front_tolerance)
     {
       EXPECT_EQ(solver.distance(location), infinity);
     }
     else if(full_distance < 0.4) // in the interior, all corners are within the limit
     {
-      EXPECT_NEAR(solver.distance(location), full_distance, 1e-8);
+      EXPECT_NEAR(solver.distance(location), full_distance, front_tolerance);
     }
   }
 }
@@ -189,7 +194,7 @@ TYPED_TEST(Geodesic_distance_solver, distances_are_continuous)
           barycentric_in_other[(i + 1) % 3] = 0.;
       // Round-off errors of the same evaluations.
       EXPECT_NEAR(solver.distance({f, middle}), solver.distance({other, barycentric_in_other}),
-                  1e-12);
+                  round_off);
     }
   }
 }
@@ -246,9 +251,9 @@ TEST(Default_geodesic_distance_solver, is_exact_around_obstacles)
   solver.compute(Vertex(0), GP::parameters::face_speed_map(speed));
   const Vertex to(static_cast<Mesh::size_type>(n));
   const double expected = std::hypot(0.5, 0.7) + 0.1 + std::hypot(0.4, 0.7);
-  EXPECT_NEAR(solver.distance(to), expected, 1e-12);
+  EXPECT_NEAR(solver.distance(to), expected, round_off);
   const auto path = solver.path(to);
-  EXPECT_NEAR(path.length, expected, 1e-12);
+  EXPECT_NEAR(path.length, expected, round_off);
   EXPECT_LE(path.lower, expected);
   EXPECT_GE(path.lower, expected * (1. - 1e-11)); // the tolerance of exact paths
 }
@@ -280,7 +285,7 @@ TYPED_TEST(Geodesic_distance_solver, distances_of_ranges_match_single_ones)
   solver.distances(locations, std::back_inserter(distances));
   ASSERT_EQ(distances.size(), locations.size());
   for(std::size_t i = 0; i < locations.size(); ++i)
-    EXPECT_NEAR(distances[i], solver.distance(locations[i]), 1e-12);
+    EXPECT_NEAR(distances[i], solver.distance(locations[i]), round_off);
   distances.clear();
   solver.distances(Vertex(30), std::back_inserter(distances));
   EXPECT_EQ(distances, std::vector<double>{solver.distance(Vertex(30))});
@@ -297,11 +302,12 @@ TEST(Exact_geodesic_distance_solver, finds_all_shortest_paths)
   const double half_circumference = 16. * std::sin(pi / 16.); // half of the polygon's circumference
   for(const auto& path : both_paths)
   {
-    EXPECT_NEAR(path.length, half_circumference, 1e-12);
-    EXPECT_NEAR(path.front_distance, half_circumference, 1e-12);
+    EXPECT_NEAR(path.length, half_circumference, round_off);
+    EXPECT_NEAR(path.front_distance, half_circumference, round_off);
     EXPECT_LT(distance(to_array(path.points.front()), to_array(mesh.point(Vertex(16 * 3 + 8)))),
-              1e-12);
-    EXPECT_LT(distance(to_array(path.points.back()), to_array(mesh.point(Vertex(16 * 3)))), 1e-12);
+              round_off);
+    EXPECT_LT(distance(to_array(path.points.back()), to_array(mesh.point(Vertex(16 * 3)))),
+              round_off);
   }
   EXPECT_EQ(solver.shortest_paths(Vertex(16 * 3 + 7)).size(), 1u);
   EXPECT_EQ(solver.shortest_paths(location_of(7, {0.2, 0.3, 0.5})).size(), 1u);
@@ -347,8 +353,8 @@ TEST(Exact_geodesic_distance_solver, departures_match_directions_in_plane)
       const auto to = random_location_of(mesh, random);
       const Point p = point_of(mesh, to);
       const auto departure = solver.departure(to);
-      EXPECT_NEAR(departure.length, distance(from, p), 1e-12);
-      EXPECT_LT(distance(point_of(mesh, departure.from), from), 1e-12);
+      EXPECT_NEAR(departure.length, distance(from, p), round_off);
+      EXPECT_LT(distance(point_of(mesh, departure.from), from), round_off);
       // Departure directions follow the first segments of paths, which may be short.
       EXPECT_NEAR(departure.direction.x() * departure.length, p[0] - from[0], 1e-8);
       EXPECT_NEAR(departure.direction.y() * departure.length, p[1] - from[1], 1e-8);

@@ -23,6 +23,9 @@ namespace Region_transport_solver_test {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
+// Relative round-off error of sums of some hundred terms and of some tens of back substitutions.
+constexpr double round_off = 1e-9;
+
 // The default tolerance.
 constexpr double relative_gap = 1e-3;
 
@@ -42,6 +45,7 @@ TEST(Region_transport_solver, finds_nearest_exit)
     EXPECT_LE(cost.upper - cost.lower, relative_gap * cost.upper);
     return cost.value;
   };
+  // Costs of one unit of mass, with the relative gap.
   EXPECT_NEAR(value(at(3, 0)), 0.25, 0.25 * relative_gap);
   EXPECT_NEAR(solver.arrival(exits[0]), 1., relative_gap); // relative gap
   EXPECT_NEAR(solver.potential(at(3, 0)), -0.25, 0.25 * relative_gap);
@@ -52,7 +56,7 @@ TEST(Region_transport_solver, finds_nearest_exit)
               0.5 * relative_gap);                          // half of the mass each
   EXPECT_NEAR(solver.arrival(exits[0]), 0.5, relative_gap); // relative gap
   EXPECT_EQ(solver.compute(exits[1]).value, 0.);
-  EXPECT_NEAR(solver.arrival(exits[1]), 1., 1e-9);
+  EXPECT_NEAR(solver.arrival(exits[1]), 1., round_off);
 }
 
 // The region is the boundary: masses also arrive on the edges between its vertices.
@@ -72,7 +76,7 @@ TEST(Region_transport_solver, accepts_boundary_sources)
   double sum = 0.;
   for(const Vertex v : vertices(mesh))
     sum += arrivals[v];
-  EXPECT_NEAR(sum, 1., 1e-9);
+  EXPECT_NEAR(sum, 1., round_off);
 }
 
 // Returns the cost from vertex 0 to the vertices near a great circle, for any type and size of
@@ -103,7 +107,7 @@ TEST(Region_transport_solver, accepts_all_meshes_and_scales)
               1e-5); // single precision
 #endif
   for(const double scale : {1e-6, 1e6})
-    EXPECT_NEAR(cost_to_great_circle<Mesh>(scale), scale * value, 1e-9 * scale);
+    EXPECT_NEAR(cost_to_great_circle<Mesh>(scale), scale * value, round_off * scale);
 }
 
 TEST(Region_transport_solver, works_on_clouds)
@@ -142,15 +146,15 @@ TEST(Region_transport_solver, accepts_locations_between_surfels)
   {
     EXPECT_TRUE(solver.is_reachable(i));
     const double arrival = solver.arrival(i);
-    number_of_arrivals += std::abs(arrival) > 1e-9;
+    number_of_arrivals += std::abs(arrival) > round_off;
     sum += arrival;
     center = center + arrival * (cloud.point(i) - CGAL::ORIGIN);
   }
   // Round-off errors of the conservation of mass.
-  EXPECT_NEAR(sum, 1., 1e-9);
+  EXPECT_NEAR(sum, 1., round_off);
   EXPECT_LE(number_of_arrivals, 3u);
   const auto expected = domain.point(domain.inner(location));
-  EXPECT_LT(std::sqrt(CGAL::squared_distance(CGAL::ORIGIN + center, expected)), 1e-9);
+  EXPECT_LT(std::sqrt(CGAL::squared_distance(CGAL::ORIGIN + center, expected)), round_off);
 }
 
 // Checks capacities and spreading with three exits in one row.  The nearest one has too little
@@ -173,7 +177,8 @@ void expect_limits(double size)
   EXPECT_LE(cost.number_of_iterations, 30);
   const double exact = size * (0.25 * 3. + 0.4 * 5. + 0.35 * 7.) / 12.;
   EXPECT_NEAR(cost.value, exact, relative_gap * exact);
-  EXPECT_NEAR(solver.arrival(vertex_at(8, 6)), 0.25, 0.01); // the error that the gap allows
+  // The error that the gap allows.
+  EXPECT_NEAR(solver.arrival(vertex_at(8, 6)), 0.25, 0.01);
   EXPECT_NEAR(solver.arrival(vertex_at(0, 6)), 0.4, 0.01);
   EXPECT_NEAR(solver.arrival(vertex_at(12, 6)), 0.35, 0.01);
   EXPECT_LE(solver.arrival(vertex_at(8, 6)), 0.25 * (1. + 1e-6));
@@ -221,9 +226,9 @@ TEST(Region_transport_solver, accepts_locations_in_faces)
     y += one.arrival(v) * mesh.point(v).y();
     EXPECT_TRUE(one.is_reachable(v));
   }
-  EXPECT_NEAR(mass, 1., 1e-9);
-  EXPECT_NEAR(x, point(left).x(), 1e-9);
-  EXPECT_NEAR(y, point(left).y(), 1e-9);
+  EXPECT_NEAR(mass, 1., round_off);
+  EXPECT_NEAR(x, point(left).x(), round_off);
+  EXPECT_NEAR(y, point(left).y(), round_off);
   Solver with_capacities(
       mesh, std::vector{left, right},
       GP::parameters::capacities(std::vector<double>{0.25, 1.}).number_of_refinements(0u));

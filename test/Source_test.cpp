@@ -63,6 +63,7 @@ void expect_border_sources()
     for(std::size_t i = 0; i + 1 < line.size(); ++i)
     {
       const Point p = point_of(mesh.mesh, line[i]), q = point_of(mesh.mesh, line[i + 1]);
+      // Round-off errors of coordinates below 3.
       EXPECT_NEAR(distance(p, {0., 0., 0.}), radius, 1e-12);
       EXPECT_NEAR(distance(p, q), 2. * radius * std::sin(GP::test::pi / 12.), 1e-12);
       // The next location lies in a common face: on an edge with one halfedge on the boundary.

@@ -29,6 +29,9 @@ using GP::parameters::do_use_frames;
 using GP::parameters::number_of_levels;
 using GP::parameters::wavelet_prediction;
 
+// Round-off errors of up to three levels of lifting steps.
+constexpr double round_off = 1e-12;
+
 double largest_difference(const std::vector<Point>& a, const std::vector<Point>& b)
 {
   double result = 0.;
@@ -54,7 +57,7 @@ void expect_identity(const Triangulation& surface, double size)
   wavelet.synthesize(details, points);
   for(std::size_t i = 0; i < surface.points.size(); ++i)
     for(int k = 0; k < 3; ++k)
-      ASSERT_NEAR(get(points, numbered.vertices[i])[k], surface.points[i][k], 1e-12 * size);
+      ASSERT_NEAR(get(points, numbered.vertices[i])[k], surface.points[i][k], round_off * size);
 }
 
 TEST(Subdivision_wavelet, reconstructs_all_mesh_types)
@@ -127,12 +130,12 @@ TEST(Subdivision_wavelet, supports_scalars_and_arrays)
       const auto scalar_details = wavelet.analyze(scalar), color_details = wavelet.analyze(color);
       EXPECT_EQ(color_details.number_of_channels, 4u);
       for(std::size_t i = 0; i < wavelet.number_of_vertices(); ++i)
-        EXPECT_NEAR(color_details.values[4 * i + 3], scalar_details.values[i], 1e-12);
+        EXPECT_NEAR(color_details.values[4 * i + 3], scalar_details.values[i], round_off);
       for(const Vertex v : mesh.vertices())
         scalar[v] = 0.;
       wavelet.synthesize(scalar_details, scalar);
       for(const Vertex v : mesh.vertices())
-        EXPECT_NEAR(scalar[v], scalar_before[std::size_t(v)], 1e-12);
+        EXPECT_NEAR(scalar[v], scalar_before[std::size_t(v)], round_off);
       EXPECT_THROW(wavelet.synthesize(color_details, scalar), GP::Invalid_argument_error);
       EXPECT_THROW(wavelet.analyze(scalar, do_use_frames(true)), GP::Invalid_argument_error);
     }
@@ -161,7 +164,7 @@ TEST(Subdivision_wavelet, updates_preserve_mean)
     fine += mesh.point(v).x() / double(mesh.number_of_vertices());
   for(std::size_t i = 0; i < wavelet.number_of_vertices(0); ++i)
     coarse += details.values[3 * i] / double(wavelet.number_of_vertices(0));
-  EXPECT_NEAR(coarse, fine, 1e-12 * 36.);
+  EXPECT_NEAR(coarse, fine, round_off * 36.);
 }
 
 TEST(Subdivision_wavelet, error_decreases_with_number_of_details)

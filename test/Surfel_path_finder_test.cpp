@@ -29,6 +29,9 @@ using namespace GP::test;
 using Exact_points = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_set = CGAL::Point_set_3<Exact_points::Point_3>;
 
+// Relative round-off errors of lengths of polylines and of coordinates near 1.
+constexpr double round_off = 1e-12;
+
 const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
 
 double great_circle(const Kernel::Point_3& p, const Kernel::Point_3& q)
@@ -47,8 +50,8 @@ TEST(Surfel_path_finder, finds_great_circles)
     const auto path = finder(std::size_t(0), to);
     const double expected = great_circle(surfels[0].first, surfels[to].first);
     EXPECT_NEAR(path.front_distance, expected, 1e-8); // fourth-order error with steps of 0.01
-    EXPECT_LE(path.length, path.front_distance * (1. + 1e-12));
-    EXPECT_LE(path.front_distance, path.initial_length * (1. + 1e-12));
+    EXPECT_LE(path.length, path.front_distance * (1. + round_off));
+    EXPECT_LE(path.front_distance, path.initial_length * (1. + round_off));
     ASSERT_EQ(path.points.size(), path.locations.size());
     EXPECT_EQ(path.points.front(), surfels[0].first);
     EXPECT_EQ(path.points.back(), surfels[to].first);
@@ -108,11 +111,11 @@ TEST(Surfel_path_finder, connects_locations)
   // In a plane, all surfels have its normal. A tangent plane has an origin and two axes.
   const auto path = finder(Location{1, {0.003, 0.}}, Location{2, {0., 0.004}});
   const double direct = std::sqrt(CGAL::squared_distance(p, q));
-  EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.front(), p)), 0.003, 1e-12);
-  EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.back(), q)), 0.004, 1e-12);
+  EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.front(), p)), 0.003, round_off);
+  EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.back(), q)), 0.004, round_off);
   EXPECT_NEAR(path.front_distance,
               std::sqrt(CGAL::squared_distance(path.points.front(), path.points.back())), 1e-9);
-  EXPECT_NEAR(path.front_distance, direct, 0.007 * (1. + 1e-12));
+  EXPECT_NEAR(path.front_distance, direct, 0.007 * (1. + round_off));
   EXPECT_THROW(finder(Location{1, {std::nan(""), 0.}}, Location{2, {0., 0.}}),
                GP::Invalid_argument_error);
 }
@@ -123,11 +126,11 @@ TEST(Surfel_path_finder, locates_points)
   GP::Surfel_path_finder<Surfels> finder(surfels, maps);
   const Kernel::Point_3 from(0.21, 0.34, 0.), to(0.81, 0.72, 0.);
   const auto path = finder(finder.locate(from), finder.locate(to));
-  EXPECT_LT(CGAL::squared_distance(path.points.front(), from), 1e-24);
-  EXPECT_LT(CGAL::squared_distance(path.points.back(), to), 1e-24);
+  EXPECT_LT(CGAL::squared_distance(path.points.front(), from), round_off * round_off);
+  EXPECT_LT(CGAL::squared_distance(path.points.back(), to), round_off * round_off);
   const auto above = finder.locate(surfels[7].first + Kernel::Vector_3(0., 0., 3.));
   EXPECT_EQ(above.surfel, 7u);
-  EXPECT_NEAR(std::hypot(above.offset[0], above.offset[1]), 0., 1e-12);
+  EXPECT_NEAR(std::hypot(above.offset[0], above.offset[1]), 0., round_off);
   EXPECT_THROW(finder.locate(Kernel::Point_3(std::nan(""), 0., 0.)), GP::Invalid_argument_error);
   const Surfels no_surfels;
   GP::Surfel_path_finder<Surfels> empty_finder(no_surfels, maps);
@@ -273,7 +276,7 @@ void expect_path_points_near_surfels(const Point_set& points, int number_of_path
   {
     const auto path = finder(*(points.begin() + random() % points.size()),
                              *(points.begin() + random() % points.size()));
-    EXPECT_LE(path.front_distance, path.initial_length * (1. + 1e-12));
+    EXPECT_LE(path.front_distance, path.initial_length * (1. + round_off));
     for(const auto& p : path.points)
     {
       tree.nearest(points_of_cloud, {p.x(), p.y(), p.z()}, 60, neighbors);

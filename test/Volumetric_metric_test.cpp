@@ -27,6 +27,9 @@ using namespace GP::test;
 using Metric = GP::Volumetric_metric<Mesh>;
 using Point_3 = Kernel::Point_3;
 
+// Relative round-off error of sums of some hundred terms and of some tens of back substitutions.
+constexpr double round_off = 1e-9;
+
 // The default tolerance of the bounds.
 constexpr double relative_gap = 1e-3;
 
@@ -67,8 +70,8 @@ TEST(Volumetric_metric, equals_transport_distance_on_surface)
   {
     const GP::Earth_movers_cost cost = metric.cost(mesh.point(Vertex(3)), mesh.point(v));
     // At a mesh vertex, the coordinates are ones and zeros up to round-off errors.
-    EXPECT_NEAR(cost.value, solver.compute(Vertex(3), v).value, 1e-9);
-    EXPECT_LE(cost.lower, exact[v] * (1. + 1e-9));
+    EXPECT_NEAR(cost.value, solver.compute(Vertex(3), v).value, round_off);
+    EXPECT_LE(cost.lower, exact[v] * (1. + round_off));
     EXPECT_NEAR(cost.value, exact[v], 0.01 * exact[v]); // a fraction of the edge length 0.04
   }
 }
@@ -136,7 +139,7 @@ TEST(Volumetric_metric, is_unit_invariant)
   {
     const CGAL::Aff_transformation_3<Kernel> scaling(CGAL::SCALING, scale);
     const Metric metric(mesh_of(scaled(icosphere(2), scale)));
-    EXPECT_NEAR(metric.distance(scaling(p), scaling(q)), scale * value, 1e-9 * scale);
+    EXPECT_NEAR(metric.distance(scaling(p), scaling(q)), scale * value, round_off * scale);
   }
 }
 
@@ -155,8 +158,9 @@ TEST(Volumetric_metric, writes_potential_and_flow)
   double dual_value = 0.;
   for(const Vertex v : mesh.vertices())
     dual_value += potential[v] * (coordinates_of_q[v] - coordinates_of_p[v]);
-  EXPECT_NEAR(std::max(dual_value, euclidean_distance(p, q)), cost.lower, 1e-12);
-  EXPECT_GE(cost.upper_continuous, cost.upper * (1. - 1e-9));
+  EXPECT_NEAR(std::max(dual_value, euclidean_distance(p, q)), cost.lower,
+              1e-12); // round-off errors
+  EXPECT_GE(cost.upper_continuous, cost.upper * (1. - round_off));
   // On either side, unit mass is gathered at vertices, which moves it by at most half an edge
   // length of 0.16.
   EXPECT_LE(cost.upper_continuous, cost.upper + 0.16);
@@ -168,7 +172,7 @@ TEST(Volumetric_metric, writes_potential_and_flow)
                         CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
                                            mesh.point(mesh.target(mesh.next(h)))));
   }
-  EXPECT_NEAR(length, cost.upper, 1e-9);
+  EXPECT_NEAR(length, cost.upper, round_off);
 }
 
 TEST(Volumetric_metric, one_to_many_error_is_below_one_percent)

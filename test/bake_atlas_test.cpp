@@ -90,7 +90,7 @@ TEST(bake_atlas, background_is_not_sampled)
       if(i % 2 == 0) // points on edges, including seams
         location.second = {location.second[0], 1. - location.second[0], 0.};
       const GP::Decal_color color = baked.lookup(baked.uv_of(location));
-      EXPECT_NEAR(color[0], 1., 1e-12);
+      EXPECT_NEAR(color[0], 1., 1e-12); // a weighted mean of equal colors
       EXPECT_NEAR(color[2], 0., 1e-12);
     }
     // The decal was baked.

@@ -17,6 +17,9 @@ namespace fuzzy_geodesic_test {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
+// Round-off errors of sums of two distances.
+constexpr double round_off = 1e-9;
+
 // In the plane, a Gaussian density moves as a whole. Halfway, the flow has the profile of the
 // density.
 TEST(fuzzy_geodesic, width_matches_gaussian_densities)
@@ -56,13 +59,13 @@ TEST(fuzzy_geodesic, distinguishes_paths_around_hole)
                                              by_distances);
   EXPECT_NEAR(likelihood[vertex_at(12, 10)], likelihood[vertex_at(36, 10)], 0.1);
   EXPECT_GT(likelihood[vertex_at(12, 10)], 0.4);
-  EXPECT_NEAR(by_distances[vertex_at(12, 10)], 1., 1e-9);
+  EXPECT_NEAR(by_distances[vertex_at(12, 10)], 1., round_off);
   GP::fuzzy_geodesic(mesh, vertex_at(0, 10), vertex_at(18, 10), likelihood);
   GP::fuzzy_geodesic_by_distances<GP::Exact>(mesh, vertex_at(0, 10), vertex_at(18, 10),
                                              by_distances);
   EXPECT_GT(likelihood[vertex_at(9, 10)], 0.5);
   EXPECT_LT(likelihood[vertex_at(33, 10)], 0.01);
-  EXPECT_NEAR(by_distances[vertex_at(9, 10)], 1., 1e-9);
+  EXPECT_NEAR(by_distances[vertex_at(9, 10)], 1., round_off);
   EXPECT_LT(by_distances[vertex_at(33, 10)], 0.01);
 }
 
@@ -76,7 +79,7 @@ TEST(fuzzy_geodesic, by_distances_measures_detour)
   { return std::sqrt(CGAL::squared_distance(mesh.point(a), mesh.point(b))); };
   for(const Vertex v : mesh.vertices())
     EXPECT_NEAR(likelihood[v], std::exp(-(length(p, v) + length(v, q) - length(p, q)) / 0.1),
-                1e-9); // round-off errors
+                round_off); // round-off errors
 }
 
 TEST(fuzzy_geodesic, accepts_point_sets)

@@ -169,6 +169,7 @@ TEST(Geodesic_delaunay_remeshing, writes_edge_paths)
     ASSERT_FALSE(path.empty());
     const Point p = to_array(output.point(source(e, output))),
                 q = to_array(output.point(target(e, output)));
+    // Round-off errors of coordinates near 1.
     EXPECT_LT(distance(to_array(path.points.front()), p), 1e-14);
     EXPECT_LT(distance(to_array(path.points.back()), q), 1e-14);
     // Within 1 % of the great circle. The icosphere is 0.3 % too small.
@@ -327,6 +328,7 @@ TEST(Geodesic_delaunay_remeshing, reconstructs_surface_from_cloud)
   Mesh output;
   GP::geodesic_delaunay_remeshing(points, 200, output,
                                   GP::parameters::speed_map(speed).first_samples(*points.begin()));
+  // Round-off errors of coordinates near 1.
   EXPECT_LT(distance(to_array(output.point(Vertex(0))), to_array(points.point(*points.begin()))),
             1e-12);
   std::size_t above = 0;

@@ -350,7 +350,7 @@ TEST(Geodesic_distances, are_exact_on_flat_point_set)
   {
     EXPECT_EQ(labels[i], 0u);
     const double expected = std::sqrt(CGAL::squared_distance(cloud[i].first, cloud[17].first));
-    EXPECT_GE(a[i], expected * (1. - 1e-12));
+    EXPECT_GE(a[i], expected * (1. - 1e-12)); // round-off error
     mean += std::abs(d[i] - expected) / double(cloud.size());
     mean_of_dijkstra += std::abs(a[i] - expected) / double(cloud.size());
   }

@@ -228,6 +228,7 @@ TEST(Geodesic_path, joins_end_points_on_point_set)
     const auto path = GP::geodesic_path(domain, i, std::size_t(0));
     ASSERT_GE(path.points.size(), 2u);
     const double chord = std::sqrt(CGAL::squared_distance(cloud[i].first, cloud[0].first));
+    // Squares of round-off errors.
     EXPECT_LT(CGAL::squared_distance(path.points.front(), cloud[i].first), 1e-26);
     EXPECT_LT(CGAL::squared_distance(path.points.back(), cloud[0].first), 1e-26);
     EXPECT_GE(path.length, chord - round_off);

@@ -46,6 +46,7 @@ TEST(Geodesic_voronoi_diagram, bisector_of_two_square_corners_is_the_diagonal)
     {
       const Point p = to_array(bisectors[0].points[i]);
       EXPECT_NEAR(p[0] + p[1], scale, 1e-9 * scale);
+      // Round-off errors of coordinates.
       EXPECT_LT(distance(p, point_of(mesh, bisectors[0].locations[i])), 1e-12 * scale);
     }
     const bool is_up = bisectors[0].points.back().y() > bisectors[0].points.front().y();

@@ -96,7 +96,7 @@ TEST(logarithmic_map, respects_maximum_distance)
     inside += map.is_inside(v);
     if(map.is_inside(v))
     {
-      EXPECT_LE(std::hypot(map(v)[0], map(v)[1]), 0.5 * (1. + 1e-12));
+      EXPECT_LE(std::hypot(map(v)[0], map(v)[1]), 0.5 * (1. + 1e-12)); // round-off error
     }
   }
   EXPECT_EQ(inside, map.reached().size());

@@ -28,7 +28,7 @@ TEST(parameterize_over_base, writes_location_of_each_vertex)
     EXPECT_EQ(base_locations[v].barycentric, base(v).barycentric);
     const auto& b = base_locations[v].barycentric;
     EXPECT_GE(std::min({b[0], b[1], b[2]}), 0.);
-    EXPECT_NEAR(b[0] + b[1] + b[2], 1., 1e-14);
+    EXPECT_NEAR(b[0] + b[1] + b[2], 1., 1e-14); // two additions
   }
   EXPECT_EQ(base_locations[isolated].face, 12345u);
 }

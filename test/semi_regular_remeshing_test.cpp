@@ -156,7 +156,7 @@ void expect_cube_edges_preserved(const Mesh& mesh, const NamedParameters& np)
        number_of_cube_faces_at(CGAL::midpoint(p, q)) > 1)
       length += PMP::edge_length(e, output);
   }
-  EXPECT_NEAR(length, 12., 1e-10);
+  EXPECT_NEAR(length, 12., 1e-10); // round-off errors of sums of some hundred terms
   EXPECT_NEAR(PMP::area(output), 6., 1e-10);
   EXPECT_NEAR(PMP::volume(output), 1., 1e-10);
 }

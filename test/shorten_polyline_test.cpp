@@ -78,6 +78,7 @@ TEST(shorten_polyline, shortens_on_mesh_and_cloud)
   const auto on_mesh = GP::shorten_polyline(mesh, polyline);
   EXPECT_NEAR(on_mesh.length, expected, 1e-12); // sums of some tens of lengths
   EXPECT_LT(CGAL::squared_distance(on_mesh.points.front(), polyline.front()), 1e-26);
+  // The square of a round-off error.
   EXPECT_LT(CGAL::squared_distance(on_mesh.points.back(), polyline.back()), 1e-26);
 
   const auto domain = GP::make_domain(mesh);

@@ -73,6 +73,7 @@ TEST(surfel_geodesic_path, accepts_domain)
       GP::surfel_geodesic_path(GP::make_domain(surfels, maps), std::size_t(4), std::size_t(50));
   ASSERT_EQ(of_domain.points.size(), path.points.size());
   for(std::size_t i = 0; i < path.points.size(); ++i) // round-off errors of the domain's scale
+    // The square of a round-off error.
     EXPECT_LT(CGAL::squared_distance(of_domain.points[i], path.points[i]), 1e-26);
 }
 

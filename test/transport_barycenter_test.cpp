@@ -31,7 +31,7 @@ TEST(Transport_barycenter, agrees_with_solver)
     EXPECT_GE(masses[v], 0.);
     sum += masses[v];
   }
-  EXPECT_NEAR(sum, 1., 1e-9);
+  EXPECT_NEAR(sum, 1., 1e-9); // round-off error of a sum
   const auto domain = GP::make_domain(mesh);
   EXPECT_EQ(GP::transport_barycenter(domain, points, masses, np).value, cost.value);
 }

@@ -37,7 +37,7 @@ TEST(clouds, noise_offsets_are_uniform_along_normals)
       const double offset = dot(offset_vector, sphere.normals[i]);
       EXPECT_LT(norm(offset_vector - offset * sphere.normals[i]), 1e-15); // round-off errors
       const double relative_offset = offset / (level * radii[i]);
-      EXPECT_LE(std::abs(relative_offset), 1. + 1e-12);
+      EXPECT_LE(std::abs(relative_offset), 1. + 1e-12); // round-off error
       largest = std::max(largest, std::abs(relative_offset));
       sum += relative_offset;
       squares += relative_offset * relative_offset;
@@ -58,9 +58,9 @@ TEST(clouds, normals_are_perturbed_by_at_most_ten_degrees)
   Vec3 directions = {0., 0., 0.};
   for(const Vec3& n : noisy.normals)
   {
-    EXPECT_NEAR(norm(n), 1., 1e-15);
+    EXPECT_NEAR(norm(n), 1., 1e-15); // round-off error of a unit vector
     const double angle = std::atan2(std::hypot(n[0], n[1]), n[2]);
-    EXPECT_LE(angle, pi / 18. * (1. + 1e-12));
+    EXPECT_LE(angle, pi / 18. * (1. + 1e-12)); // round-off error
     sum += angle;
     directions = directions + unit({n[0], n[1], 0.});
   }
@@ -84,7 +84,7 @@ TEST(clouds, outlier_fraction_is_exact)
   for(std::size_t i = noisy.size(); i < worse.size(); ++i)
   {
     Vec3 point = worse.points[i];
-    EXPECT_LE(std::abs(point[2]), 0.02 * (1. + 1e-12));
+    EXPECT_LE(std::abs(point[2]), 0.02 * (1. + 1e-12)); // round-off error
     outside += std::abs(point[2]) > 0.005;
     // Above or below a surfel of the square.
     point[2] = 0.;

@@ -27,6 +27,10 @@ namespace program_test {
 
 namespace fs = std::filesystem;
 
+// Round-off errors of lengths on the unit square, which are written with 17 digits; measured are
+// 9e-16.
+constexpr double round_off = 1e-14;
+
 struct Run_result
 {
   int code = -1;

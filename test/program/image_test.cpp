@@ -24,7 +24,7 @@ TEST(Image, interpolates_bilinearly)
   EXPECT_EQ(image.at(0.5, 1.), (Color{0., 1., 0.}));
   const Color between = image.at(1. / 3., 0.5);
   EXPECT_NEAR(between[0], 0.125, 1e-15); // round-off errors
-  EXPECT_NEAR(between[1], 0.5, 1e-15);
+  EXPECT_NEAR(between[1], 0.5, 1e-15);   // round-off error
   // Outside the unit square, the image repeats.
   for(const double shift : {-3., 1., 7.})
     EXPECT_NEAR(image.at(0.25 + shift, 0.25 + shift)[0], image.at(0.25, 0.25)[0], 1e-14);

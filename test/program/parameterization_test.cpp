@@ -19,18 +19,21 @@ using namespace program_test;
 
 TEST_F(Program, flatten_preserves_a_planar_square)
 {
+  // Linear systems, and up to 50 iterations of the method arap; measured are 2e-12.
+  constexpr double solver_tolerance = 1e-10;
   for(const std::string method : {"glle", "mds", "lscm", "arap", "glle --injective"})
   {
     const nlohmann::json flat =
         json("flatten square.ply --values f.txt -o f.obj --base-points 30 --method " + method);
     EXPECT_EQ(flat["flips"], 0) << method;
-    EXPECT_NEAR(flat["symmetric_dirichlet"].get<double>(), 4., 1e-6) << method;
+    EXPECT_NEAR(flat["symmetric_dirichlet"].get<double>(), 4., solver_tolerance) << method;
     const std::vector<double> uv = numbers("f.txt");
     ASSERT_EQ(uv.size(), 162u);
     if(method == "lscm")
       continue; // the scale of these maps is arbitrary
     // The distance between opposite corners.
-    EXPECT_NEAR(std::hypot(uv[160] - uv[0], uv[161] - uv[1]), std::sqrt(2.), 1e-4) << method;
+    EXPECT_NEAR(std::hypot(uv[160] - uv[0], uv[161] - uv[1]), std::sqrt(2.), solver_tolerance)
+        << method;
   }
   EXPECT_EQ(json("flatten square.ply --base-points 30 --flat -o flat.ply")["flips"], 0);
   EXPECT_NEAR(json("info flat.ply")["area"].get<double>(), 1., 1e-4);
@@ -119,7 +122,7 @@ TEST_F(Program, atlas_of_a_cloud_is_injective)
   EXPECT_NEAR(area, found["coverage"], 1e-9); // round-off errors of sums
 
   EXPECT_EQ(run("atlas ball.ply --number 3 --flat --quiet -o flat.obj").code, 0);
-  EXPECT_NEAR(json("info flat.obj")["area"], area, 1e-9);
+  EXPECT_NEAR(json("info flat.obj")["area"], area, 1e-9); // round-off errors of sums
 }
 
 TEST_F(Program, logmap_writes_normal_coordinates)
@@ -141,8 +144,8 @@ TEST_F(Program, logmap_writes_normal_coordinates)
       if(!std::isfinite(uv[2 * i]))
         continue;
       ++inside;
-      EXPECT_NEAR(uv[2 * i], x, 1e-12);
-      EXPECT_NEAR(uv[2 * i + 1], y, 1e-12);
+      EXPECT_NEAR(uv[2 * i], x, round_off);
+      EXPECT_NEAR(uv[2 * i + 1], y, round_off);
     }
     EXPECT_EQ(map["values"], inside);
   }

@@ -34,8 +34,8 @@ TEST_F(Program, base_of_a_cloud_locates_surfels_in_input_order)
   {
     const double* const location = &locations[4 * i];
     ASSERT_LT(location[0], base["faces_out"].get<double>());
-    EXPECT_GE(*std::min_element(location + 1, location + 4), -1e-12);
-    EXPECT_NEAR(location[1] + location[2] + location[3], 1., 1e-12);
+    EXPECT_GE(*std::min_element(location + 1, location + 4), -round_off);
+    EXPECT_NEAR(location[1] + location[2] + location[3], 1., round_off);
     // The projection of the point in the base face onto the sphere is close to the surfel.
     program::Point p = {0., 0., 0.};
     for(std::size_t k = 0; k < 3; ++k)

@@ -101,7 +101,7 @@ TEST(Complete_normals, normalizes_lengths_and_fills_zeros)
   for(std::size_t i = 0; i < 500; ++i)
   {
     const Point &p = cloud.points[i], &n = cloud.normals[i];
-    EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1., 1e-15);
+    EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1., 1e-15); // round-off error
     inwards += p[0] * n[0] + p[1] * n[1] + p[2] * n[2] < -0.99 ? 1 : 0;
   }
   EXPECT_EQ(inwards, 500u);
@@ -122,7 +122,7 @@ TEST(Complete_normals, gives_unit_vectors_for_degenerate_clouds)
     program::complete_normals(cloud);
     ASSERT_EQ(cloud.normals.size(), points.size());
     for(const Point& n : cloud.normals)
-      EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1., 1e-15);
+      EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1., 1e-15); // round-off error
   }
 }
 

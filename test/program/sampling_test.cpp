@@ -196,7 +196,7 @@ TEST_F(Program, matrix_limit_keeps_near_pairs)
         ASSERT_GE(values.end() - value, 3);
         EXPECT_EQ(*value++, i);
         EXPECT_EQ(*value++, j);
-        EXPECT_NEAR(*value++, straight, 1e-12);
+        EXPECT_NEAR(*value++, straight, round_off);
       }
     EXPECT_EQ(value, values.end());
 

@@ -22,7 +22,7 @@ TEST(Unfold, area_of_needle_keeps_its_digits)
 TEST(Unfold, third_corner_has_given_distances)
 {
   const Vec2 corner = third_corner(5., 3., 4.);
-  EXPECT_NEAR(norm(corner), 3., 1e-15 * 4);
+  EXPECT_NEAR(norm(corner), 3., 1e-15 * 4); // units in the last place
   EXPECT_NEAR(norm(corner - Vec2{5., 0.}), 4., 1e-15 * 4);
   EXPECT_GT(corner[1], 0.);
 }

@@ -502,7 +502,7 @@ TEST(Window_propagation, paths_pass_through_lattice_vertices)
     const auto path = windows.path(from).locations;
     ASSERT_FALSE(path.empty());
     const double expected = windows.distance(from);
-    EXPECT_NEAR(path_length(*surface.triangles(), path), expected, 1e-12 * expected);
+    EXPECT_NEAR(path_length(*surface.triangles(), path), expected, round_off * expected);
   }
 }
 
@@ -550,7 +550,7 @@ TEST(Window_propagation, polar_angles_are_counterclockwise_around_vertex)
     const Surface_location to = random_location(t, random);
     const double angle_from_first = direction(point_at(t, to)) - first;
     EXPECT_NEAR(windows.departure(to).polar_angle,
-                angle_from_first < 0. ? angle_from_first + 2. * pi : angle_from_first, 1e-8);
+                angle_from_first < 0. ? angle_from_first + 2. * pi : angle_from_first, round_off);
   }
   EXPECT_EQ(windows.departure(surface.at(center)).length, 0.);
 }
@@ -576,7 +576,7 @@ TEST(Window_propagation, polar_angles_are_counterclockwise_around_edge_location)
     const Point q = point_at(t, to);
     const double angle_from_first = std::atan2(q[1] - p[1], q[0] - p[0]) - first;
     EXPECT_NEAR(std::remainder(windows.departure(to).polar_angle - angle_from_first, 2. * pi), 0.,
-                1e-8);
+                round_off);
   }
 }
 

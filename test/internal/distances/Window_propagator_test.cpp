@@ -23,6 +23,7 @@ TEST(Window_propagator, distances_on_a_plane_are_euclidean)
     const Window_state state = propagate_windows(surface, source);
     const Point p = point_at(surface.t(), source);
     for(Index i = 0; i < surface.size(); ++i)
+      // Unfolding some tens of triangles.
       EXPECT_NEAR(state.vertices[surface.vertex(i)].distance * surface.scale(),
                   distance(plane.points[i], p), 1e-12);
   }

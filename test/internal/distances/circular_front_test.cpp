@@ -12,6 +12,9 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
+// Round-off errors of a few operations on numbers of size 1; measured are 3e-17.
+constexpr double round_off = 1e-15;
+
 // A circle around `center`, which is below the first axis.
 Circular_front circle_around(const Vec2& center)
 {
@@ -25,8 +28,8 @@ TEST(Circular_front, gain_is_difference_of_distances)
   double gain;
   Vec2 back;
   ASSERT_TRUE(cross_edge(circle_around(center), 1., y, gain, back));
-  EXPECT_NEAR(gain, norm(y - center) - norm(center), 1e-15);
-  EXPECT_NEAR(norm(back - (1. / norm(center - y)) * (center - y)), 0., 1e-15);
+  EXPECT_NEAR(gain, norm(y - center) - norm(center), round_off);
+  EXPECT_NEAR(norm(back - (1. / norm(center - y)) * (center - y)), 0., round_off);
 }
 
 TEST(Circular_front, rejects_lines_that_miss_the_edge)
@@ -44,13 +47,14 @@ TEST(Circular_front, is_determined_by_two_distances)
   const double difference = norm(z - center) - norm(center);
   Circular_front fitted = {{1., 0.}, exact.curvature};
   ASSERT_TRUE(fit_source_direction(1., difference, fitted));
-  EXPECT_NEAR(norm(fitted.source - exact.source), 0., 1e-15);
+  EXPECT_NEAR(norm(fitted.source - exact.source), 0., round_off);
   EXPECT_FALSE(fit_source_direction(1., 1.5, fitted)); // longer than the edge
 
-  EXPECT_NEAR(circle_residual(exact.curvature, 1., difference, exact.source[0]), 0., 1e-15);
+  EXPECT_NEAR(circle_residual(exact.curvature, 1., difference, exact.source[0]), 0., round_off);
   EXPECT_GT(circle_residual(exact.curvature, 1., difference + 0.01, exact.source[0]), 0.);
+  // An iteration of some steps.
   EXPECT_NEAR(fitted_curvature(0., 1., difference, exact.source[0], norm(center)), exact.curvature,
-              1e-14);
+              10. * round_off);
   EXPECT_EQ(fitted_curvature(2., 1., difference, exact.source[0], norm(center)), 2.);
 }
 

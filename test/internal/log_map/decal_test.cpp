@@ -175,6 +175,7 @@ TEST(decal, each_texel_belongs_to_at_most_one_triangle)
             [&](std::size_t texel, const std::array<double, 3>& barycentric)
             {
               ++use_count.at(texel);
+              // Two additions.
               EXPECT_NEAR(barycentric[0] + barycentric[1] + barycentric[2], 1., 1e-14);
               // The barycentric coordinates determine the center of the texel.
               const auto corners = cells.corners(f);

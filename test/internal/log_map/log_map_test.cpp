@@ -18,6 +18,9 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
+// Round-off errors of directions and of coordinates near 1.
+constexpr double round_off = 1e-12;
+
 TEST(log_map, straightest_stencil_is_exact_on_a_plane)
 {
   const Array_surface surface(square(10, 0.25));
@@ -28,10 +31,10 @@ TEST(log_map, straightest_stencil_is_exact_on_a_plane)
   for(std::size_t j = 0; j < 8; ++j)
   {
     const Vec2& q = stencil.vectors[j];
-    EXPECT_NEAR(norm(q), length, 1e-13);
+    EXPECT_NEAR(norm(q), length, 1e-13);                      // round-off error
     EXPECT_LT(norm(q + stencil.vectors[(j + 4) % 8]), 1e-13); // opposite
     const Vec3 end = plane.point() + q[0] * plane.x() + q[1] * plane.y();
-    EXPECT_LT(norm(scaled_coordinates(surface.t(), stencil.locations[j]) - end), 1e-12);
+    EXPECT_LT(norm(scaled_coordinates(surface.t(), stencil.locations[j]) - end), round_off);
   }
 }
 
@@ -66,7 +69,7 @@ TEST(log_map, vertex_stencil_grows_until_regular)
       const Vec2& q = stencil.vectors[j];
       EXPECT_GT(norm(q), 0.);
       const Vec3 end = plane.point() + q[0] * plane.x() + q[1] * plane.y();
-      EXPECT_LT(norm(scaled_coordinates(surface.t(), stencil.locations[j]) - end), 1e-12);
+      EXPECT_LT(norm(scaled_coordinates(surface.t(), stencil.locations[j]) - end), round_off);
     }
   }
 }
@@ -80,10 +83,10 @@ TEST(log_map, fit_is_exact_in_the_plane)
     std::vector<double> distances;
     for(const Vec2& q : stencil)
       distances.push_back(norm(x - q));
-    EXPECT_LT(norm(fit(norm(x), distances.data()) - x), 1e-12 * (1. + norm(x)));
+    EXPECT_LT(norm(fit(norm(x), distances.data()) - x), round_off * (1. + norm(x)));
     // Infinite distances are ignored.
     distances[2] = infinity;
-    EXPECT_LT(norm(fit(norm(x), distances.data()) - x), 1e-12 * (1. + norm(x)));
+    EXPECT_LT(norm(fit(norm(x), distances.data()) - x), round_off * (1. + norm(x)));
     distances[0] = distances[3] = infinity;
     EXPECT_EQ(norm(fit(norm(x), distances.data())), 0.);
   }
@@ -117,6 +120,7 @@ TEST(log_map, steps_are_transported_along_great_circles)
       const Vec3 left = cross(up, outward);
       const Vec2 u = {std::cos(angle), std::sin(angle)};
       EXPECT_LT(norm(transported_step(plane, normal, 0.1 * forward) - 0.1 * u), 1e-13);
+      // Round-off error of a rotation.
       EXPECT_LT(norm(transported_step(plane, normal, 0.1 * left) - 0.1 * Vec2{-u[1], u[0]}), 1e-13);
       // A step out of the tangent plane is projected to it and keeps its length.
       const Vec3 tilted = 0.3 * forward + 0.4 * normal;

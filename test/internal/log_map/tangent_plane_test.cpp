@@ -17,6 +17,9 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
+// Round-off errors of a line across some triangles.
+constexpr double path_tolerance = 1e-12;
+
 // A few round-off errors of coordinates below 2.
 constexpr double round_off_tolerance = 1e-13;
 
@@ -38,9 +41,9 @@ TEST(tangent_plane, is_exact_on_planes)
       EXPECT_NEAR(path.length, length, round_off_tolerance);
       const Vec3 end = plane.point() + length * std::cos(angle) * plane.x() +
                        length * std::sin(angle) * plane.y();
-      EXPECT_LT(norm(scaled_coordinates(surface.t(), path.locations.back()) - end), 1e-12);
+      EXPECT_LT(norm(scaled_coordinates(surface.t(), path.locations.back()) - end), path_tolerance);
       EXPECT_NEAR(std::remainder(plane.tangent_angle(end - plane.point()) - angle, 2. * pi), 0.,
-                  1e-12);
+                  path_tolerance);
     }
   }
 }

@@ -51,7 +51,7 @@ TEST(Morton_order, frame_scales_half_extent_to_one_to_two)
       low = std::min(low, largest);
       high = std::max(high, largest);
     }
-    EXPECT_GE(high, 1. - 1e-15);
+    EXPECT_GE(high, 1. - 1e-15); // units in the last place
     EXPECT_LT(high, 2. + 1e-15);
   }
 }

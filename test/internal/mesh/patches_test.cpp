@@ -167,6 +167,7 @@ TEST(Patches, bisection_of_strip_is_balanced)
     low = std::min(low, centroid_x(f));
     high = std::max(high, centroid_x(f));
   }
+  // Sums of some hundred areas.
   EXPECT_NEAR(std::abs(centroid_x(first) - centroid_x(second)), high - low, 1e-12);
   const std::vector<Index> half = bisect_patch(t, first, second);
   EXPECT_EQ(half[first], 0u);

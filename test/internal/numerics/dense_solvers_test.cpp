@@ -19,6 +19,7 @@ TEST(eigen_system, diagonalizes_a_symmetric_matrix)
     matrix.diagonal(1).setConstant(-1.);
     const Eigen_system found = eigen_system(matrix);
     for(Eigen::Index k = 0; k < n; ++k)
+      // Sums of n products.
       EXPECT_NEAR(found.values[k], 2. - 2. * std::cos(EIGEN_PI * double(k + 1) / double(n + 1)),
                   1e-14 * double(n)); // round-off errors
     const Eigen::MatrixXd product =
@@ -31,8 +32,8 @@ TEST(eigen_system, reads_only_the_lower_triangle)
 {
   Eigen::MatrixXd matrix(2, 2);
   matrix << 1., 100., 2., 1.;
-  EXPECT_NEAR(eigen_system(matrix).values[0], -1., 1e-15);
-  EXPECT_NEAR(eigen_system(matrix).values[1], 3., 1e-15);
+  EXPECT_NEAR(eigen_system(matrix).values[0], -1., 1e-15); // round-off errors of a few operations
+  EXPECT_NEAR(eigen_system(matrix).values[1], 3., 1e-15);  // round-off errors of a few operations
 }
 
 TEST(Symmetric_solver, solves_for_each_column)
@@ -41,6 +42,7 @@ TEST(Symmetric_solver, solves_for_each_column)
   matrix << 4., 0., 1., 2.; // the upper triangle is ignored
   expected << 1., 3., 2., -1.;
   rhs << 6., 11., 5., 1.;
+  // Round-off errors of a few operations.
   EXPECT_LT((Symmetric_solver(matrix).solve(rhs) - expected).norm(), 1e-14);
 }
 

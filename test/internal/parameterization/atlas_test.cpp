@@ -78,7 +78,7 @@ void expect_atlas(const Triangulation& surface, std::size_t number, std::size_t 
       area += cross(atlas.coordinates[c + 1] - atlas.coordinates[c],
                     atlas.coordinates[c + 2] - atlas.coordinates[c]) /
               2.;
-    EXPECT_NEAR(area, atlas.coverage, 1e-12);
+    EXPECT_NEAR(area, atlas.coverage, 1e-12); // sums of some hundred areas
     for(const Vec2& p : atlas.coordinates)
       for(const double x : p)
       {

@@ -94,15 +94,17 @@ TEST(packing, keeps_gutter_and_covers_square)
     double covered_area = 0.;
     for(std::size_t i = 0; i < all.size(); ++i)
     {
-      EXPECT_NEAR(norm(packing.directions[i]), 1., 1e-14);
+      EXPECT_NEAR(norm(packing.directions[i]), 1., 1e-14); // round-off error of a unit vector
       covered_area += area(all[i]);
       for(const Vec2& p : all[i])
         for(const double x : p)
         {
           EXPECT_GE(x, gutter / 2. - 1e-9); // tolerance of the rounding to cells
+          // Round-off errors of coordinates of some hundred texels.
           EXPECT_LE(x, texels - gutter / 2. + 1e-9);
         }
       for(std::size_t j = 0; j < i; ++j)
+        // Round-off errors of coordinates of some hundred texels.
         EXPECT_GE(gap(all[i], all[j]), gutter - 1e-9) << i << ' ' << j;
     }
     // These stars cover on average 64 % of their bounding boxes, and one twelfth of the square is

@@ -58,7 +58,7 @@ TEST(texels, nearest_barycentric_is_closest_point)
     const Vec2 point = {2. * uniform(random), 2. * uniform(random)};
     const auto b = nearest_barycentric(image, point);
     const double found = norm(b[0] * image[0] + b[1] * image[1] + b[2] * image[2] - point);
-    EXPECT_NEAR(b[0] + b[1] + b[2], 1., 1e-13);
+    EXPECT_NEAR(b[0] + b[1] + b[2], 1., 1e-13); // two additions
     // No point of a grid on the triangle is closer.
     for(int i = 0; i <= 20; ++i)
       for(int j = 0; i + j <= 20; ++j)

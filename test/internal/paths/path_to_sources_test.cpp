@@ -146,10 +146,11 @@ TEST(Path_to_sources, joins_end_points_on_point_set)
     const auto path = find_path(*triangles, front, from, {{{to}, 0., 0}});
     ASSERT_GE(path.size(), 2u);
     const double chord = distance(points[0], points[i]);
+    // Round-off errors of coordinates near 1.
     EXPECT_LT(distance(point_at(*triangles, path.front()), points[i]), 1e-14);
     EXPECT_LT(distance(point_at(*triangles, path.back()), points[0]), 1e-14);
     const double length = triangles->scale * polyline_length(*triangles, path);
-    EXPECT_GE(length, chord * (1. - 1e-12));
+    EXPECT_GE(length, chord * (1. - 1e-12)); // round-off errors of a sum of lengths
     // Near the boundary, a path may have to go around a gap of some radii, 0.06.
     EXPECT_LE(length, 1.02 * chord + 0.02);
   }

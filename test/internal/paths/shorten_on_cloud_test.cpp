@@ -73,6 +73,7 @@ TEST(Shorten_on_cloud, is_straight_on_plane)
     const double length = polyline_length(cloud.t(), path) * cloud.t().scale;
     const double euclidean = distance(point_at(cloud.t(), p), point_at(cloud.t(), q));
     EXPECT_GE(length, euclidean * (1. - 1e-12)); // round-off errors
+    // Relative round-off error of a sum.
     EXPECT_LE(length, polyline_length(cloud.t(), chain) * cloud.t().scale * (1. + 1e-12));
     sum_of_errors += length / euclidean - 1.;
     sum_of_initial_errors += polyline_length(cloud.t(), chain) * cloud.t().scale / euclidean - 1.;
@@ -121,6 +122,7 @@ TEST(Shorten_on_cloud, keeps_end_points)
     ASSERT_FALSE(chain.empty());
     const auto path = shorten_on_cloud(cloud.t(), chain);
     ASSERT_FALSE(path.empty());
+    // Round-off errors of coordinates near 1.
     EXPECT_NEAR(distance(point_at(cloud.t(), path.front()), point_at(cloud.t(), p)), 0., 1e-12);
     EXPECT_NEAR(distance(point_at(cloud.t(), path.back()), point_at(cloud.t(), q)), 0., 1e-12);
     EXPECT_LE(polyline_length(cloud.t(), path),

@@ -233,6 +233,7 @@ TEST(Remeshing, respects_feature_spacing)
     const std::size_t steps = std::size_t(std::round(1. / spacing));
     ASSERT_EQ(low.size(), steps + 1);
     for(std::size_t i = 0; i <= steps; ++i)
+      // Round-off errors of coordinates near 1.
       EXPECT_NEAR(low[i], double(i) / double(steps), 1e-14);
   }
   options.feature_spacing.assign(options.feature_spacing.size(), 1e-12);

@@ -93,6 +93,7 @@ TEST(Smoothing, converges_to_voronoi_centroids)
       for(std::size_t j = 0; j < found.size(); ++j)
         if(j != i)
           cell = clip_to_bisector(cell, found[i], found[j]);
+      // Round-off errors of a mean of some points.
       EXPECT_LT(distance(centroid(cell), found[i]), 1e-12 * scale);
     }
   }
@@ -195,7 +196,7 @@ TEST(Smoothing, stays_on_surface_and_at_corners)
   EXPECT_GT(min_edge_length(after), min_edge_length(before) + 0.01);
   for(const Point& p : after)
   {
-    EXPECT_LT(norm(p), 1. + 1e-14);
+    EXPECT_LT(norm(p), 1. + 1e-14); // round-off error of a point on the unit circle
     EXPECT_GT(norm(p), 0.995); // the distance of the triangles of the finer sphere to the center
   }
 

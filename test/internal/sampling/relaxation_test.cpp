@@ -51,6 +51,7 @@ TEST(Relaxation, converges_on_square_and_strip)
     Triangulation plane = scaled(square(20, 0.2), scale);
     const Array_surface surface(plane);
     const Relaxed one = relaxed(surface, {surface.at(0)}, 1);
+    // Round-off errors of coordinates.
     EXPECT_LT(distance(one.points[0], {scale / 2., scale / 2., 0.}), 1e-13 * scale);
 
     // On a strip of aspect ratio four, the limits are the centers of four squares. A step

@@ -17,6 +17,9 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
+// Round-off errors of coordinates near 1.
+constexpr double round_off = 1e-14;
+
 TEST(Triangle_tree, locates_points_on_surface)
 {
   const Array_surface surface(jittered(icosphere(3), 0.03));
@@ -26,7 +29,7 @@ TEST(Triangle_tree, locates_points_on_surface)
   {
     const Point p = point_at(*surface.triangles(), random_location(*surface.triangles(), random));
     const Point q = point_at(*surface.triangles(), tree.nearest(p));
-    EXPECT_LT(distance(p, q), 1e-14); // round-off errors of coordinates up to 1
+    EXPECT_LT(distance(p, q), round_off); // round-off errors of coordinates up to 1
   }
 }
 
@@ -50,10 +53,10 @@ TEST(Triangle_tree, is_at_most_as_far_as_any_sample)
       EXPECT_GE(b, 0.);
       sum += b;
     }
-    EXPECT_NEAR(sum, 1., 4e-16);
+    EXPECT_NEAR(sum, 1., 4e-16); // two additions
     const double smallest = distance(p, point_at(*surface.triangles(), found));
     for(const Point& sample : samples)
-      EXPECT_LE(smallest, distance(p, sample) * (1. + 1e-14));
+      EXPECT_LE(smallest, distance(p, sample) * (1. + round_off));
   }
 }
 
@@ -63,9 +66,9 @@ TEST(Triangle_tree, projects_onto_plane_and_boundary)
   const Triangle_tree tree(surface.triangles());
   const auto found = [&](const Point& p)
   { return point_at(*surface.triangles(), tree.nearest(p)); };
-  EXPECT_LT(distance(found({0.3, 0.7, 5.}), {0.3, 0.7, 0.}), 1e-14);
-  EXPECT_LT(distance(found({-3., 0.7, 1.}), {0., 0.7, 0.}), 1e-14);
-  EXPECT_LT(distance(found({2., 3., -1.}), {1., 1., 0.}), 1e-14);
+  EXPECT_LT(distance(found({0.3, 0.7, 5.}), {0.3, 0.7, 0.}), round_off);
+  EXPECT_LT(distance(found({-3., 0.7, 1.}), {0., 0.7, 0.}), round_off);
+  EXPECT_LT(distance(found({2., 3., -1.}), {1., 1., 0.}), round_off);
 }
 
 TEST(Triangle_tree, handles_far_query_points)
@@ -89,6 +92,7 @@ TEST(Triangle_tree, ignores_degenerate_triangles)
   const Array_surface array_surface(surface);
   const Triangle_tree tree(array_surface.triangles());
   for(const Point& p : surface.points)
+    // Round-off errors of coordinates near 1.
     EXPECT_LT(distance(p, point_at(*array_surface.triangles(), tree.nearest(p))), 1e-15);
 }
 

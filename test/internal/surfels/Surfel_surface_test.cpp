@@ -47,8 +47,8 @@ TEST(Surfel_surface, reproduces_spheres)
       const Projection projection = surface.project(p, vertex);
       const Vec3 center = (-1. / cloud.frame.scale) * cloud.frame.origin;
       const Vec3 radial = p - center, expected = 1. / cloud.frame.scale * unit(radial);
-      EXPECT_LT(norm(projection.point - center - expected),
-                1e-13); // round-off errors of sums of 20 terms
+      // Round-off errors of sums of 20 terms.
+      EXPECT_LT(norm(projection.point - center - expected), 1e-13);
       EXPECT_NEAR(std::abs(dot(projection.normal, unit(radial))), 1., 1e-13);
     }
   }
@@ -155,6 +155,7 @@ TEST(Surfel_surface, projects_to_disks)
   for(Index e = cloud.graph.begin[corner]; e < cloud.graph.begin[corner + 1]; ++e, ++number)
     sum += cloud.radius[cloud.graph.target[e]];
   EXPECT_LT(sum / number, cloud.radius[corner]);
+  // Round-off errors of a mean of some radii.
   EXPECT_LT(norm(outside.point - cloud.point[corner] - sum / number * away), 1e-14);
 }
 
@@ -167,6 +168,7 @@ TEST(Surfel_surface, ends_at_boundary)
     {
       const double side = cloud.point[i][0] > 0. ? 1. : -1.;
       const Projection projection = surface.project(cloud.point[i] + Vec3{side, 0., 0.01}, i);
+      // Round-off errors; all surfels have the same plane.
       EXPECT_LE(norm(projection.point - cloud.point[i]), 1.5 * cloud.radius[i] * (1. + 1e-12));
       EXPECT_NEAR(dot(projection.conormal, {side, 0., 0.}), 1., 1e-12);
       EXPECT_NEAR(projection.point[2], 0., 1e-14);
@@ -195,6 +197,7 @@ TEST(Surfel_surface, keeps_hole_open_around_isolated_surfel)
   const Projection projection =
       surface.project(cloud.point[middle] + Vec3{2. * max_neighbor_radius, 0., 0.}, middle);
   EXPECT_EQ(projection.vertex, middle);
+  // The last factor allows for round-off errors.
   EXPECT_LE(norm(projection.point - cloud.point[middle]), 1.3 * max_neighbor_radius * (1. + 1e-12));
 }
 

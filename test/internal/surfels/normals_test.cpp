@@ -71,7 +71,7 @@ TEST(normals, are_unit_vectors_for_degenerate_input)
     const std::vector<Vec3> normals = estimate_normals(points, 18, true);
     EXPECT_EQ(normals.size(), points.size());
     for(const Vec3& normal : normals)
-      EXPECT_NEAR(norm(normal), 1., 1e-14);
+      EXPECT_NEAR(norm(normal), 1., 1e-14); // round-off error of a unit vector
   }
 }
 

@@ -52,7 +52,7 @@ TEST(surfel_estimation, handles_coincident_points)
     points.push_back({i % 7 - 3., i / 7 - 3., 0.});
   for(const double percentage : {0., 10.})
     for(const Vec3& normal : estimate_surfels(points, 18, percentage).normals)
-      EXPECT_NEAR(norm(normal), 1., 1e-14);
+      EXPECT_NEAR(norm(normal), 1., 1e-14); // round-off error of a unit vector
 }
 
 TEST(surfel_estimation, throws_on_too_few_points)

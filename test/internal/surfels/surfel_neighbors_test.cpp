@@ -16,6 +16,9 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
+// Square roots of sums of three squares, in different order.
+constexpr double round_off = 1e-15;
+
 TEST(surfel_neighbors, are_the_nearest_compatible_surfels)
 {
   // Two sheets with opposite normals: only surfels of the same sheet are compatible.
@@ -41,13 +44,13 @@ TEST(surfel_neighbors, are_the_nearest_compatible_surfels)
     for(const Index* j = all.begin(i); j != all.end(i); ++j)
     {
       const double distance = norm(point[*j] - point[i]);
-      EXPECT_LE(last, distance * (1. + 1e-15));
+      EXPECT_LE(last, distance * (1. + round_off));
       last = distance;
       if(normal[i] == normal[*j])
         expected.push_back(*j);
     }
-    EXPECT_NEAR(distances.search_radius[i], last, 1e-15);
-    EXPECT_NEAR(distances.spacing[i], norm(point[all.begin(i)[5]] - point[i]), 1e-15);
+    EXPECT_NEAR(distances.search_radius[i], last, round_off);
+    EXPECT_NEAR(distances.spacing[i], norm(point[all.begin(i)[5]] - point[i]), round_off);
     EXPECT_EQ(std::vector<Index>(neighbors.begin(i), neighbors.end(i)), expected);
   }
 }
@@ -117,7 +120,7 @@ TEST(surfel_neighbors, estimates_missing_radii)
                             scaled_radii = surfel_radii(sorted, given, neighbors, 8, 1);
   const Index middle = sorted.internal_vertex[40];
   // The eight nearest surfels are within a diagonal of the lattice.
-  EXPECT_NEAR(sorted.frame.scale * estimated_radii[middle], 1. / 8., 1e-15);
+  EXPECT_NEAR(sorted.frame.scale * estimated_radii[middle], 1. / 8., round_off);
   EXPECT_EQ(sorted.frame.scale * scaled_radii[sorted.internal_vertex[1]], 1.);
   EXPECT_EQ(scaled_radii[middle], 8.); // larger than the cloud
   given[7] = -1.;

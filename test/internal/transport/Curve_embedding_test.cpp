@@ -255,7 +255,7 @@ TEST(Curve_embedding, preserves_functions_masses_and_fields)
                                   refined_location.barycentric.end()),
                 0.);
       EXPECT_NEAR(value(fine, refined, refined_location), value(coarse, function, {f, none, b}),
-                  1e-9);
+                  round_off);
     }
 
   // The integral of the length of a gradient must be the same, also with an anisotropic metric.
@@ -272,7 +272,7 @@ TEST(Curve_embedding, preserves_functions_masses_and_fields)
     for(std::size_t i = 0; i < slope.size(); ++i)
       *sum += o->area[i] * norm(slope[i]);
   }
-  EXPECT_NEAR(fine_sum, coarse_sum, 1e-9 * coarse_sum);
+  EXPECT_NEAR(fine_sum, coarse_sum, round_off * coarse_sum);
 
   // Coarsening a field must preserve its divergence.
   const Operators a = operators(coarse, Degenerate_triangles::thickened),
@@ -282,7 +282,7 @@ TEST(Curve_embedding, preserves_functions_masses_and_fields)
                after = minus_divergence(a, embedding.coarsened(field));
   EXPECT_LT((before - after).lpNorm<Eigen::Infinity>(), 1e-7 * before.lpNorm<Eigen::Infinity>());
   const Vector masses = Vector::Random(Eigen::Index(fine.number_of_vertices()));
-  EXPECT_NEAR(embedding.coarsened(masses).dot(function), masses.dot(refined), 1e-9);
+  EXPECT_NEAR(embedding.coarsened(masses).dot(function), masses.dot(refined), round_off);
 }
 
 TEST(Curve_embedding, handles_degenerate_triangles_and_close_points)

@@ -62,7 +62,7 @@ TEST(Group_lasso, bounds_converge_to_minimum)
     for(Eigen::Index j = 0; j < 2; ++j)
     {
       EXPECT_LE(solver.lower(j), problems.minimum(j) + 1e-12); // round-off errors
-      EXPECT_GE(solver.upper(j), problems.minimum(j) - 1e-12);
+      EXPECT_GE(solver.upper(j), problems.minimum(j) - 1e-12); // round-off errors of sums
     }
   }
   for(Eigen::Index j = 0; j < 2; ++j)
@@ -85,6 +85,7 @@ TEST(Group_lasso, removing_column_preserves_others)
   both.advance();
   second.advance();
   EXPECT_NEAR(both.upper(0), second.upper(0), 1e-14); // sums in another order
+  // Round-off errors of sums in a different order.
   EXPECT_NEAR(both.lower(0), second.lower(0), 1e-14);
 }
 

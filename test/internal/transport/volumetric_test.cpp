@@ -60,7 +60,7 @@ TEST(volumetric, one_to_many_bounds_contain_single_distances)
         continue;
       const Transport_result single = distances.cost(from, to[i], tight_options);
       EXPECT_LE(found[i].lower, single.upper * (1. + 1e-12)); // round-off errors
-      EXPECT_GE(found[i].upper, single.lower * (1. - 1e-12));
+      EXPECT_GE(found[i].upper, single.lower * (1. - 1e-12)); // round-off error
     }
     EXPECT_LT(solved, to.size() / 2);
   }
