@@ -41,8 +41,8 @@ TEST(exponential_map, inverts_logarithmic_map)
   };
   EXPECT_EQ(fraction_recovered(mesh_of(icosphere(4)), Vertex(7), 1.5), 1.);
   EXPECT_EQ(fraction_recovered(mesh_of(square(20, 0.25)), Vertex(220), 0.7), 1.);
-  // If a shortest path bends at a saddle vertex, the straightest path leaves it. This affects 3 % of
-  // the vertices of the animal and one vertex in eighty of the elephant.
+  // If a shortest path bends at a saddle vertex, the straightest path leaves it. This affects 3 %
+  // of the vertices of the animal and one vertex in eighty of the elephant.
   EXPECT_GT(fraction_recovered(mesh_of(animal()), Vertex(100), 0.5), 0.95);
   if(Mesh mesh; read_model("meshes/elephant_2k8.off", mesh))
   {

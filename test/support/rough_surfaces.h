@@ -97,8 +97,8 @@ inline Triangulation spool(std::size_t n)
   return result;
 }
 
-// A sheet that is rolled up by three quarters of a turn, with small triangles in the middle and with
-// angles up to 173 degrees.
+// A sheet that is rolled up by three quarters of a turn, with small triangles in the middle and
+// with angles up to 173 degrees.
 inline Triangulation rolled_sheet()
 {
   const auto graded = [](double s) { return 0.5 + 4. * (s - 0.5) * (s - 0.5) * (s - 0.5); };

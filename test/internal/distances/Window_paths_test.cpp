@@ -124,8 +124,8 @@ TEST(Window_paths, path_bends_at_the_corner_of_the_boundary)
   EXPECT_LT(number_of_bends, 90);
 }
 
-// Between points of the first ring at an angle of at least pi on both sides, the shortest path passes
-// through the center of a saddle. No shortest path passes through the apex of a cone.
+// Between points of the first ring at an angle of at least pi on both sides, the shortest path
+// passes through the center of a saddle. No shortest path passes through the apex of a cone.
 TEST(Window_paths, path_passes_only_through_saddle_vertices)
 {
   constexpr Index n = 16;

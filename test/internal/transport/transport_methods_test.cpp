@@ -84,9 +84,9 @@ Triangulation two_triangles()
 }
 
 // Returns the smallest cost of the masses a, b, c, d of the square. The feasible flows are a line.
-// In the triangle 0, 1, 2 the flow is (s, s - 2 b), because half of the difference of its components
-// enters vertex 1. Vertices 0 and 2 then determine the flow (2 c - s + 2 b, -2 a - s) of the triangle
-// 0, 2, 3.
+// In the triangle 0, 1, 2 the flow is (s, s - 2 b), because half of the difference of its
+// components enters vertex 1. Vertices 0 and 2 then determine the flow (2 c - s + 2 b, -2 a - s) of
+// the triangle 0, 2, 3.
 double min_cost(double a, double b, double c)
 {
   const auto cost = [&](double s)
@@ -124,9 +124,9 @@ TEST(Transport_methods, flow_across_two_triangles_minimizes_sum_of_two_lengths)
     }
 }
 
-// At an optimum, the flow and the gradient of the potential have the same direction, and the gradient
-// has length 1 where the flow is not zero: |flow| - flow * gradient is zero in each triangle. Its
-// integral is the gap between the bounds.
+// At an optimum, the flow and the gradient of the potential have the same direction, and the
+// gradient has length 1 where the flow is not zero: |flow| - flow * gradient is zero in each
+// triangle. Its integral is the gap between the bounds.
 TEST(Transport_methods, gap_is_the_violation_of_complementary_slackness)
 {
   const Problem problem(jittered(icosphere(2), 0.05));
@@ -168,8 +168,8 @@ TEST(Transport_methods, interior_point_reaches_small_gaps)
   }
 }
 
-// A unit mass leaves the triangle (0, 0), (1, 0), (0, 1) from its first vertex through the other two.
-// For outflows x and 1 - x the cost is hypot(x, 1 - x) plus the prices.
+// A unit mass leaves the triangle (0, 0), (1, 0), (0, 1) from its first vertex through the other
+// two. For outflows x and 1 - x the cost is hypot(x, 1 - x) plus the prices.
 TEST(Transport_methods, exits_share_mass_up_to_their_capacity)
 {
   const Problem triangle(one_triangle());
