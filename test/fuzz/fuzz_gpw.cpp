@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz_reader.h"
 
+#include "io/read_gpw.h"
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   return fuzz_reader(program::read_gpw, data, size);

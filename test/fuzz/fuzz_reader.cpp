@@ -8,8 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
-int fuzz_reader(program::Surface_file (*read)(std::string_view, const std::string&),
-                const std::uint8_t* data, std::size_t size)
+int fuzz_reader(program::Reader read, const std::uint8_t* data, std::size_t size)
 {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   program::Surface surface;

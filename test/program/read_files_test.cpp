@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/Surface.h"
 #include "io/errors.h"
+#include "io/read_gpw.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,8 @@
 
 namespace read_files_test {
 
+using program::Reader;
 using program::Surface_file;
-using Reader = Surface_file (*)(std::string_view, const std::string&);
 
 // Returns the reader's error message, or an empty string if the reader accepts the bytes.
 std::string error_message(Reader read, const std::string& bytes)

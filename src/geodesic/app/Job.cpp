@@ -6,6 +6,8 @@
 #include "picture/Display.h"
 #include "io/Output_file.h"
 #include "io/Scanner.h"
+#include "io/errors.h"
+#include "io/read_gpw.h"
 
 #include <nlohmann/json.hpp>
 
@@ -84,7 +86,7 @@ const Surface& Job::read(const std::vector<std::string>& extensions)
     m_display = std::make_unique<Display>();
   }
   begin_stage("read");
-  Surface_file file = read_surface_file(m_input);
+  Surface_file file = read_surface_file(m_input, {{"gpw", read_gpw}});
   begin_stage("prepare");
   m_surface = repair(std::move(file), m_input, threads());
   (*m_result)["input"] = m_input;

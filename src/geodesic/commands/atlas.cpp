@@ -7,6 +7,7 @@
 #include "picture/procedural_images.h"
 #include "commands/command_utilities.h"
 #include "io/write_textured.h"
+#include "io/errors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "io/errors.h"
 #include "commands/transport_utilities.h"
+#include "io/write_surface_file.h"
 
 #include <algorithm>
 #include <numeric>

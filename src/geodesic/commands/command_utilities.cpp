@@ -3,6 +3,8 @@
 #include "commands/command_utilities.h"
 
 #include "io/Scanner.h"
+#include "io/write_surface_file.h"
+#include "io/errors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "io/Scanner.h"
 #include "app/commands.h"
 #include "commands/speed_options.h"
+#include "io/errors.h"
 
 #include <algorithm>
 #include <cmath>

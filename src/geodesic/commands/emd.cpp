@@ -3,6 +3,7 @@
 #include "io/Scanner.h"
 #include "app/commands.h"
 #include "commands/transport_utilities.h"
+#include "io/errors.h"
 
 namespace program {
 

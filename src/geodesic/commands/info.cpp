@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Job.h"
 #include "io/Output_file.h"
+#include "io/write_surface_file.h"
 #include "picture/Picture.h"
 #include "io/Scanner.h"
 #include "app/commands.h"
 #include "commands/command_utilities.h"
+#include "io/errors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Output_file.h"
+#include "io/write_surface_file.h"
 #include "picture/Picture.h"
 #include "io/Scanner.h"
 #include "app/commands.h"
 #include "commands/transport_utilities.h"
+#include "io/errors.h"
 
 namespace program {
 

@@ -3,6 +3,8 @@
 #include "commands/transport_utilities.h"
 
 #include "io/read_bytes.h"
+#include "io/write_surface_file.h"
+#include "io/errors.h"
 
 #include <cmath>
 #include <fstream>

@@ -3,7 +3,7 @@
 #ifndef GEODESIC_PROGRAM_IO_SCANNER_H
 #define GEODESIC_PROGRAM_IO_SCANNER_H
 
-#include "io/errors.h"
+#include "io/Input_error.h"
 
 #include <cstddef>
 #include <optional>

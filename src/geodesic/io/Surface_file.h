@@ -39,18 +39,10 @@ struct Surface_file
 // Names of the properties that store a color, as bytes (0 to 255) in most files.
 constexpr std::array<const char*, 3> color_names = {"red", "green", "blue"};
 
-// Reads a file; the extension selects the format: .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or
-// .gpw, and .gz after it for a file that is compressed by gzip. The data is neither repaired nor validated beyond the needs of the reader, see check().
-// Memory is proportional to the size of the file, independent of the counts in its header. For
-// .gpw, a progressive wavelet stream, memory is bounded by a constant. Throws Input_error that
-// names the file and the reason.
-Surface_file read_surface_file(const std::string& filename);
+// A parser of a format. `name` is the file name in error messages. Memory is proportional to the
+// number of bytes, independent of the counts in a header. Throws Input_error.
+using Reader = Surface_file (*)(std::string_view bytes, const std::string& name);
 
-// Throws Input_error if there are no points, a coordinate is not finite, or an index of a face or
-// edge is out of range.
-void check(const Surface_file& surface, const std::string& name);
-
-// Parsers of single formats. `name` is the file name in error messages.
 Surface_file read_ply(std::string_view bytes, const std::string& name);
 Surface_file read_off(std::string_view bytes, const std::string& name);
 Surface_file read_obj(std::string_view bytes, const std::string& name);
@@ -58,23 +50,16 @@ Surface_file read_stl(std::string_view bytes, const std::string& name);
 Surface_file read_xyz(std::string_view bytes, const std::string& name);
 Surface_file read_pwn(std::string_view bytes, const std::string& name);
 Surface_file read_vtp(std::string_view bytes, const std::string& name);
-Surface_file read_gpw(std::string_view bytes, const std::string& name);
 
-// Throws Usage_error if no writer supports the extension of the file name.
-void check_output_extension(const std::string& filename);
+// Reads a file. The extension selects one of the formats above or of `more_readers`, whose keys are
+// extensions without the dot. If the file is compressed by gzip, .gz follows the extension. The data
+// is neither repaired nor validated beyond the needs of the reader, see check(). Throws Input_error.
+Surface_file read_surface_file(const std::string& filename,
+                               const std::map<std::string, Reader>& more_readers = {});
 
-// Writes the file completely or leaves an existing file unchanged: a temporary file is renamed.
-// PLY (binary) and VTP store normals, properties, vectors, face numbers and polylines. PLY also
-// stores edges, and colors as bytes. OBJ stores texture coordinates or, without them, colors; it
-// also stores normals and polylines. OFF stores normals, and colors if `color_property` names a
-// property. Throws Output_error if the file cannot be written.
-void write_surface_file(const std::string& filename, const Surface_file& surface,
-                        const std::string& color_property = "");
-
-std::string to_ply(const Surface_file& surface);
-std::string to_off(const Surface_file& surface, const std::string& color_property);
-std::string to_obj(const Surface_file& surface);
-std::string to_vtp(const Surface_file& surface);
+// Throws Input_error if there are no points, a coordinate is not finite, or an index of a face or
+// edge is out of range.
+void check(const Surface_file& surface, const std::string& name);
 
 // Returns the extension of a file name in lower case, without the dot.
 std::string file_extension(const std::string& filename);

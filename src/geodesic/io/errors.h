@@ -3,11 +3,13 @@
 #ifndef GEODESIC_PROGRAM_IO_ERRORS_H
 #define GEODESIC_PROGRAM_IO_ERRORS_H
 
+#include "io/Input_error.h"
+
 #include <stdexcept>
 
 namespace program {
 
-// Exit codes of the program. Each exception below contains one sentence for standard error.
+// Exit codes of the program. Each exception contains one sentence for standard error.
 enum Exit_code
 {
   success = 0,
@@ -17,11 +19,6 @@ enum Exit_code
 };
 
 struct Usage_error : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-struct Input_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };

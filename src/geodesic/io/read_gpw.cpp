@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/Surface_file.h"
-#include "io/errors.h"
+#include "io/read_gpw.h"
+
+#include "io/Input_error.h"
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 // Not public: decode_wavelets() writes to a halfedge mesh and rejects streams with nonmanifold

@@ -4,6 +4,7 @@
 
 #include "io/Output_file.h"
 #include "io/errors.h"
+#include "io/write_surface_file.h"
 
 #include <filesystem>
 

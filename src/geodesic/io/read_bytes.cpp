@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/read_bytes.h"
+
+#include "io/Scanner.h"
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace program {
+
+std::string read_bytes(const std::string& filename)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(filename, error);
+  if(!std::filesystem::exists(status))
+    fail(filename, "there is no such file");
+  if(!std::filesystem::is_regular_file(status))
+    fail(filename, "it is not a regular file");
+  const auto size = std::filesystem::file_size(filename, error);
+  std::ifstream file(filename, std::ios::binary);
+  if(error || !file)
+    fail(filename, "it cannot be opened for reading");
+  std::string bytes(size, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(size));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  if(file.bad())
+    fail(filename, "it cannot be read");
+  return bytes;
+}
+
+} // namespace program
