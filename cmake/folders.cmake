@@ -25,9 +25,10 @@ set(adaptors_uses core distances log_map mesh operators parameterization paths r
                   surfels transport)
 
 # The folders of the program in src/geodesic.
-set(program_folders io repair picture app commands)
-set(io_uses "")
-set(repair_uses io)
-set(picture_uses io)
-set(app_uses io repair picture)
-set(commands_uses io repair picture app)
+set(program_folders readers io repair picture app commands)
+set(readers_uses "")
+set(io_uses readers)
+set(repair_uses readers io)
+set(picture_uses readers io)
+set(app_uses readers io repair picture)
+set(commands_uses readers io repair picture app)

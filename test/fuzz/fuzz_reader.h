@@ -3,7 +3,7 @@
 #ifndef GEODESIC_PROGRAM_FUZZ_READER_H
 #define GEODESIC_PROGRAM_FUZZ_READER_H
 
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 // Reads bytes as a file of one format, repairs what came out as the program does, and stops where a
 // promise is broken.  Errors with a sentence are what bad bytes deserve.

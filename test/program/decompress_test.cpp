@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/decompress.h"
+#include "readers/decompress.h"
 
-#include "io/Surface_file.h"
-#include "io/base64.h"
+#include "readers/Surface_file.h"
+#include "readers/base64.h"
 #include "io/errors.h"
 
 #include <gtest/gtest.h>

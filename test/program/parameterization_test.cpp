@@ -4,7 +4,7 @@
 // The commands flatten, atlas, logmap and decal.
 #include "Program.h"
 #include "io/Image.h"
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 #include <algorithm>
 #include <cmath>

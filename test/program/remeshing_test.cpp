@@ -3,7 +3,7 @@
 //
 // The commands remesh, base, semiregular and wavelet.
 #include "Program.h"
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 #include "subdivided_surfaces.h"
 
 #include <algorithm>

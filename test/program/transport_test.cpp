@@ -3,7 +3,7 @@
 //
 // The commands emd, plan, barycenter, streamlines, fuzzy, volume and feature-distance.
 #include "Program.h"
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "app/Command.h"
 #include "picture/Display.h"
 #include "io/Output_file.h"
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "io/errors.h"
 #include "io/read_gpw.h"
 

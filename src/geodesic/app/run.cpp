@@ -3,7 +3,7 @@
 #include "app/run.h"
 
 #include "app/commands.h"
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "io/errors.h"
 
 #include <CGAL/Geodesic_processing/exceptions.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Image.h"
 #include "picture/Picture.h"
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "app/commands.h"
 #include "picture/procedural_images.h"
 #include "commands/command_utilities.h"

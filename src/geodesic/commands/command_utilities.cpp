@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/command_utilities.h"
 
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "io/write_surface_file.h"
 #include "io/errors.h"
 

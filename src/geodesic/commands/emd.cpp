@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "app/commands.h"
 #include "commands/transport_utilities.h"
 #include "io/errors.h"

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/Picture.h"
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "app/commands.h"
 #include "io/errors.h"
 #include "commands/transport_utilities.h"

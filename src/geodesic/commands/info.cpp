@@ -4,7 +4,7 @@
 #include "io/Output_file.h"
 #include "io/write_surface_file.h"
 #include "picture/Picture.h"
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "app/commands.h"
 #include "commands/command_utilities.h"
 #include "io/errors.h"

@@ -3,7 +3,7 @@
 #include "io/Output_file.h"
 #include "io/write_surface_file.h"
 #include "picture/Picture.h"
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "commands/cloud_paths.h"
 #include "app/commands.h"
 #include "io/errors.h"

@@ -3,7 +3,7 @@
 #include "commands/speed_options.h"
 
 #include "io/Image.h"
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "io/errors.h"
 
 #include <algorithm>

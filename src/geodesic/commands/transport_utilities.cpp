@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/transport_utilities.h"
 
-#include "io/read_bytes.h"
+#include "readers/read_bytes.h"
 #include "io/write_surface_file.h"
 #include "io/errors.h"
 

@@ -4,7 +4,7 @@
 #define GEODESIC_PROGRAM_COMMANDS_TRANSPORT_UTILITIES_H
 
 #include "picture/Picture.h"
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "commands/speed_options.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Output_file.h"
 #include "picture/Picture.h"
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "app/commands.h"
 #include "commands/speed_options.h"
 #include "io/errors.h"

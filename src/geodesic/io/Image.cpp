@@ -3,10 +3,10 @@
 #include "io/Image.h"
 
 #include "io/Output_file.h"
-#include "io/Scanner.h"
-#include "io/Surface_file.h"
+#include "readers/Scanner.h"
+#include "readers/Surface_file.h"
 #include "io/errors.h"
-#include "io/read_bytes.h"
+#include "readers/read_bytes.h"
 
 #include <algorithm>
 #include <cmath>

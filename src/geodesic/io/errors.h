@@ -3,7 +3,7 @@
 #ifndef GEODESIC_PROGRAM_IO_ERRORS_H
 #define GEODESIC_PROGRAM_IO_ERRORS_H
 
-#include "io/Input_error.h"
+#include "readers/Input_error.h"
 
 #include <stdexcept>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_gpw.h"
 
-#include "io/Input_error.h"
+#include "readers/Input_error.h"
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 // Not public: decode_wavelets() writes to a halfedge mesh and rejects streams with nonmanifold

@@ -3,7 +3,7 @@
 #ifndef GEODESIC_PROGRAM_IO_VECTORS_H
 #define GEODESIC_PROGRAM_IO_VECTORS_H
 
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/base64.h"
+#include "readers/base64.h"
 #include "io/errors.h"
 #include "io/write_textured.h"
 #include "io/write_utilities.h"

@@ -4,7 +4,7 @@
 #define GEODESIC_PROGRAM_IO_WRITE_TEXTURED_H
 
 #include "io/Image.h"
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 #include <string>
 

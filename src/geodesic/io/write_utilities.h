@@ -4,7 +4,7 @@
 #define GEODESIC_PROGRAM_IO_WRITE_UTILITIES_H
 
 #include "io/Output_file.h"
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 #include <cstring>
 

@@ -3,7 +3,7 @@
 #ifndef GEODESIC_PROGRAM_PICTURE_RENDER_MESH_H
 #define GEODESIC_PROGRAM_PICTURE_RENDER_MESH_H
 
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 #include "io/colors.h"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 #ifndef GEODESIC_PROGRAM_PICTURE_VIEW_H
 #define GEODESIC_PROGRAM_PICTURE_VIEW_H
 
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 #include <cstdint>
 #include <vector>

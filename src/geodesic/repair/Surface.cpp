@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/Surface.h"
 
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 #include "repair/complete_normals.h"
 
 #include <boost/range/iterator_range.hpp>

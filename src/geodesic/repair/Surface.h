@@ -3,7 +3,7 @@
 #ifndef GEODESIC_PROGRAM_REPAIR_SURFACE_H
 #define GEODESIC_PROGRAM_REPAIR_SURFACE_H
 
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 #include <CGAL/Geodesic_processing/Soup_domain.h>
 

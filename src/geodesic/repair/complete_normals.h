@@ -3,7 +3,7 @@
 #ifndef GEODESIC_PROGRAM_REPAIR_COMPLETE_NORMALS_H
 #define GEODESIC_PROGRAM_REPAIR_COMPLETE_NORMALS_H
 
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 namespace program {
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_IO_BASE64_H
-#define GEODESIC_PROGRAM_IO_BASE64_H
+#ifndef GEODESIC_PROGRAM_READERS_BASE64_H
+#define GEODESIC_PROGRAM_READERS_BASE64_H
 
 #include <cstddef>
 #include <optional>
@@ -21,4 +21,4 @@ std::optional<std::string> from_base64(std::string_view text);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_IO_BASE64_H
+#endif // GEODESIC_PROGRAM_READERS_BASE64_H

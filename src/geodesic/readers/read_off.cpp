@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/Scanner.h"
-#include "io/Surface_file.h"
-#include "io/append_polygon.h"
+#include "readers/Scanner.h"
+#include "readers/Surface_file.h"
+#include "readers/append_polygon.h"
 
 namespace program {
 

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_IO_APPEND_POLYGON_H
-#define GEODESIC_PROGRAM_IO_APPEND_POLYGON_H
+#ifndef GEODESIC_PROGRAM_READERS_APPEND_POLYGON_H
+#define GEODESIC_PROGRAM_READERS_APPEND_POLYGON_H
 
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
 #include <limits>
 
@@ -50,4 +50,4 @@ void append_strip(Surface_file& surface, const Indices& indices)
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_IO_APPEND_POLYGON_H
+#endif // GEODESIC_PROGRAM_READERS_APPEND_POLYGON_H

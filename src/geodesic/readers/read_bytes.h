@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_IO_READ_BYTES_H
-#define GEODESIC_PROGRAM_IO_READ_BYTES_H
+#ifndef GEODESIC_PROGRAM_READERS_READ_BYTES_H
+#define GEODESIC_PROGRAM_READERS_READ_BYTES_H
 
 #include <string>
 
@@ -12,4 +12,4 @@ std::string read_bytes(const std::string& filename);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_IO_READ_BYTES_H
+#endif // GEODESIC_PROGRAM_READERS_READ_BYTES_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_IO_SURFACE_FILE_H
-#define GEODESIC_PROGRAM_IO_SURFACE_FILE_H
+#ifndef GEODESIC_PROGRAM_READERS_SURFACE_FILE_H
+#define GEODESIC_PROGRAM_READERS_SURFACE_FILE_H
 
 #include <array>
 #include <cstddef>
@@ -66,4 +66,4 @@ std::string file_extension(const std::string& filename);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_IO_SURFACE_FILE_H
+#endif // GEODESIC_PROGRAM_READERS_SURFACE_FILE_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_IO_DECOMPRESS_H
-#define GEODESIC_PROGRAM_IO_DECOMPRESS_H
+#ifndef GEODESIC_PROGRAM_READERS_DECOMPRESS_H
+#define GEODESIC_PROGRAM_READERS_DECOMPRESS_H
 
 #include <cstddef>
 #include <string>
@@ -23,4 +23,4 @@ std::string decompress_lz4(std::string_view bytes, std::size_t size, const std::
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_IO_DECOMPRESS_H
+#endif // GEODESIC_PROGRAM_READERS_DECOMPRESS_H

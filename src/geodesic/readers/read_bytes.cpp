@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/read_bytes.h"
+#include "readers/read_bytes.h"
 
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 
 #include <filesystem>
 #include <fstream>

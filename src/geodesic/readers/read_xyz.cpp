@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/Scanner.h"
-#include "io/Surface_file.h"
+#include "readers/Scanner.h"
+#include "readers/Surface_file.h"
 
 namespace program {
 

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/Surface_file.h"
+#include "readers/Surface_file.h"
 
-#include "io/Scanner.h"
-#include "io/decompress.h"
-#include "io/read_bytes.h"
+#include "readers/Scanner.h"
+#include "readers/decompress.h"
+#include "readers/read_bytes.h"
 
 #include <cmath>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_IO_BINARY_NUMBERS_H
-#define GEODESIC_PROGRAM_IO_BINARY_NUMBERS_H
+#ifndef GEODESIC_PROGRAM_READERS_BINARY_NUMBERS_H
+#define GEODESIC_PROGRAM_READERS_BINARY_NUMBERS_H
 
 #include <cstddef>
 #include <cstdint>
@@ -50,4 +50,4 @@ inline double to_value(std::uint64_t bits, Number_type type)
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_IO_BINARY_NUMBERS_H
+#endif // GEODESIC_PROGRAM_READERS_BINARY_NUMBERS_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_IO_INPUT_ERROR_H
-#define GEODESIC_PROGRAM_IO_INPUT_ERROR_H
+#ifndef GEODESIC_PROGRAM_READERS_INPUT_ERROR_H
+#define GEODESIC_PROGRAM_READERS_INPUT_ERROR_H
 
 #include <stdexcept>
 
@@ -15,4 +15,4 @@ struct Input_error : std::runtime_error
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_IO_INPUT_ERROR_H
+#endif // GEODESIC_PROGRAM_READERS_INPUT_ERROR_H

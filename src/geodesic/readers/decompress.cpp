@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/decompress.h"
+#include "readers/decompress.h"
 
-#include "io/Scanner.h"
+#include "readers/Scanner.h"
 
 #include <zlib.h>
 #ifdef GEODESIC_PROCESSING_HAS_LZ4

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/Scanner.h"
-#include "io/Surface_file.h"
-#include "io/append_polygon.h"
-#include "io/base64.h"
-#include "io/binary_numbers.h"
-#include "io/decompress.h"
+#include "readers/Scanner.h"
+#include "readers/Surface_file.h"
+#include "readers/append_polygon.h"
+#include "readers/base64.h"
+#include "readers/binary_numbers.h"
+#include "readers/decompress.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_IO_SCANNER_H
-#define GEODESIC_PROGRAM_IO_SCANNER_H
+#ifndef GEODESIC_PROGRAM_READERS_SCANNER_H
+#define GEODESIC_PROGRAM_READERS_SCANNER_H
 
-#include "io/Input_error.h"
+#include "readers/Input_error.h"
 
 #include <cstddef>
 #include <optional>
@@ -66,4 +66,4 @@ std::string printable(std::string_view word);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_IO_SCANNER_H
+#endif // GEODESIC_PROGRAM_READERS_SCANNER_H
