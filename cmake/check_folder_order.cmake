@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Fails if a file includes a header of a folder that folders.cmake does not list for its own folder,
-# if a folder is empty, or if src holds a file outside of the folders.
+# if a reader includes a header of a library that is not listed there, if a folder is empty, or if src
+# holds a file outside of the folders.
 cmake_minimum_required(VERSION 3.24)
 include(${CMAKE_CURRENT_LIST_DIR}/folders.cmake)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
@@ -41,6 +42,19 @@ foreach(folder IN LISTS program_folders)
     string(APPEND violations "  geodesic/${folder}: no files\n")
   endif()
   check_folder(${folder} "${program_folders}" ${files})
+endforeach()
+
+file(GLOB files ${root}/src/geodesic/readers/*)
+foreach(file IN LISTS files)
+  file(STRINGS ${file} lines REGEX "^ *# *include")
+  foreach(line IN LISTS lines)
+    # Headers of the standard library have neither a folder nor an extension.
+    string(REGEX REPLACE "^ *# *include *[<\"](.*)[>\"].*$" "\\1" header ${line})
+    if(NOT header MATCHES "^(readers/[A-Za-z0-9_]+\\.h|[a-z0-9_]+)$" AND NOT header IN_LIST reader_headers)
+      cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${root} OUTPUT_VARIABLE name)
+      string(APPEND violations "  ${name}: ${line}\n")
+    endif()
+  endforeach()
 endforeach()
 
 file(GLOB entries RELATIVE ${root}/src ${root}/src/*)
