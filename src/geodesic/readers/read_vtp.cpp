@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/Scanner.h"
 #include "readers/Surface_file.h"
+#include "readers/Xml.h"
 #include "readers/append_polygon.h"
+#include "readers/arrays.h"
 #include "readers/base64.h"
-#include "readers/binary_numbers.h"
 #include "readers/decompress.h"
 
 #include <algorithm>
@@ -15,87 +16,6 @@
 namespace program {
 
 namespace {
-
-struct Tag
-{
-  std::string_view name; // with a slash if it is a closing tag
-  std::map<std::string_view, std::string_view> attributes;
-  bool is_self_closing = false; // <Tag/>
-
-  std::string_view operator[](std::string_view attribute) const
-  {
-    const auto found = attributes.find(attribute);
-    return found == attributes.end() ? std::string_view() : found->second;
-  }
-};
-
-constexpr std::string_view whitespace = " \t\r\n";
-
-// A parser for the subset of XML that VTK writes: tags with quoted attributes, and text between
-// them.
-class Xml
-{
-public:
-  Xml(std::string_view bytes, const std::string& name) : m_rest(bytes), m_name(name) {}
-
-  // Returns the next tag, or std::nullopt at the end. text() returns the text before the tag.
-  std::optional<Tag> next()
-  {
-    for(;;)
-    {
-      const std::size_t begin = m_rest.find('<');
-      m_text = m_rest.substr(0, begin);
-      if(begin == std::string_view::npos)
-        return std::nullopt;
-      m_rest.remove_prefix(begin);
-      const bool is_comment = m_rest.substr(0, 4) == "<!--";
-      const std::size_t end = m_rest.find(is_comment ? "-->" : ">");
-      if(end == std::string_view::npos)
-        fail(m_name, "a tag has no closing '>'");
-      const std::string_view content = m_rest.substr(1, end - 1);
-      m_rest.remove_prefix(end + (is_comment ? 3 : 1));
-      if(!is_comment && !content.empty() && content[0] != '?' && content[0] != '!')
-        return tag(content);
-    }
-  }
-
-  std::string_view text() const { return m_text; }
-  std::string_view rest() const { return m_rest; }
-
-private:
-  Tag tag(std::string_view content)
-  {
-    Tag result;
-    if(content.back() == '/' && content.size() > 1)
-    {
-      result.is_self_closing = true;
-      content.remove_suffix(1);
-    }
-    const std::size_t end = content.find_first_of(whitespace);
-    result.name = content.substr(0, end);
-    while(end != std::string_view::npos)
-    {
-      const std::size_t equals = content.find('=');
-      if(equals == std::string_view::npos)
-        break;
-      std::string_view key = content.substr(0, equals);
-      key.remove_prefix(std::min(key.size(), key.find_last_of(whitespace, equals) + 1));
-      content.remove_prefix(equals + 1);
-      const char quote = content.empty() ? ' ' : content[0];
-      const std::size_t close =
-          quote == '"' || quote == '\'' ? content.find(quote, 1) : std::string_view::npos;
-      if(close == std::string_view::npos)
-        fail(m_name, "the value of an attribute is not quoted");
-      result.attributes[key] = content.substr(1, close - 1);
-      content.remove_prefix(close + 1);
-    }
-    return result;
-  }
-
-  std::string_view m_rest;
-  std::string_view m_text;
-  std::string m_name;
-};
 
 // Encoding of the data arrays of a file.
 struct Storage
@@ -122,17 +42,6 @@ Number_type parse_type(std::string_view type, const std::string& name)
   if(size == 0 || (kind == 'f' && size < 4))
     fail(name, "the type '" + printable(type) + "' is unknown");
   return {kind, size};
-}
-
-std::vector<double> decode_numbers(std::string_view bytes, std::string_view type_name,
-                                   const Storage& storage, const std::string& name)
-{
-  const Number_type type = parse_type(type_name, name);
-  std::vector<double> numbers(bytes.size() / type.size);
-  for(std::size_t i = 0; i < numbers.size(); ++i)
-    numbers[i] =
-        to_value(bits_at(bytes.substr(i * type.size), type.size, storage.big_endian), type);
-  return numbers;
 }
 
 // Returns the integer at an index of the header of a data array.
@@ -227,8 +136,10 @@ std::vector<double> numbers_in_bytes(std::string_view bytes, std::string_view ty
                                      const Storage& storage, const std::string& name)
 {
   if(storage.compressor.empty())
-    return decode_numbers(read_block(bytes, storage, name), type, storage, name);
-  return decode_numbers(decompress_blocks(bytes, storage, name), type, storage, name);
+    return decode_numbers(read_block(bytes, storage, name), parse_type(type, name),
+                          storage.big_endian);
+  return decode_numbers(decompress_blocks(bytes, storage, name), parse_type(type, name),
+                        storage.big_endian);
 }
 
 // Decodes a base64 block. VTK encodes the length together with the data, or separately with
@@ -240,20 +151,6 @@ std::vector<double> numbers_in_base64(std::string_view text, std::string_view ty
   if(!bytes)
     fail(name, "a data array is not valid base64");
   return numbers_in_bytes(*bytes, type, storage, name);
-}
-
-std::vector<double> numbers_in_text(std::string_view text, const std::string& name)
-{
-  std::vector<double> numbers;
-  Scanner scanner(text, name, 0);
-  for(std::string_view word = scanner.next_word(); !word.empty(); word = scanner.next_word())
-  {
-    const std::optional<double> number = to_number(word);
-    if(!number)
-      fail(name, "'" + printable(word) + "' is not a number");
-    numbers.push_back(*number);
-  }
-  return numbers;
 }
 
 // Returns the first bytes of a base64 text.
@@ -352,14 +249,6 @@ void append_cells(Surface_file& surface, const Arrays& arrays, bool are_strips,
       append_corner(surface, corner);
     end_polygon(surface);
   }
-}
-
-std::vector<Point> to_points(const std::vector<double>& numbers)
-{
-  std::vector<Point> points(numbers.size() / 3);
-  for(std::size_t i = 0; i < points.size(); ++i)
-    points[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
-  return points;
 }
 
 // Moves the appended data from `bytes` to `storage`. They may contain text that resembles tags.
