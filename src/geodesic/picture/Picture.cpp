@@ -24,7 +24,7 @@ void draw(const std::string& filename, const Picture&)
 #  include "picture/actors.h"
 #  include "picture/isolines.h"
 #  include "picture/splats.h"
-#  include "io/vectors.h"
+#  include "readers/vectors.h"
 #  include "io/colors.h"
 
 #  include <vtkActor.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/View.h"
 
-#include "io/vectors.h"
+#include "readers/vectors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #  include "picture/actors.h"
 
-#  include "io/vectors.h"
+#  include "readers/vectors.h"
 
 #  include <vtkActor.h>
 #  include <vtkCellArray.h>

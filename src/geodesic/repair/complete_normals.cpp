@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/complete_normals.h"
 
-#include "io/vectors.h"
+#include "readers/vectors.h"
 
 // Not public: estimate_surfels() rejects clouds with at most as many points as neighbors, orients
 // all normals, and also computes radii.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_IO_VECTORS_H
-#define GEODESIC_PROGRAM_IO_VECTORS_H
+#ifndef GEODESIC_PROGRAM_READERS_VECTORS_H
+#define GEODESIC_PROGRAM_READERS_VECTORS_H
 
 #include "readers/Surface_file.h"
 
@@ -34,4 +34,4 @@ inline double norm(const Point& p) { return std::sqrt(dot(p, p)); }
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_IO_VECTORS_H
+#endif // GEODESIC_PROGRAM_READERS_VECTORS_H
