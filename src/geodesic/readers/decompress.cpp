@@ -39,11 +39,17 @@ private:
 
 constexpr std::size_t chunk_size = std::size_t{1} << 20;
 
+void check_expansion(std::size_t size, std::size_t compressed_size, const std::string& name)
+{
+  if(size > max_compression_ratio * compressed_size)
+    fail(name, "its compressed data expand to more than 1,000 times their length");
+}
+
 } // namespace
 
 std::string inflate(std::string_view bytes, const std::string& name)
 {
-  const std::size_t max_size = max_compression_ratio * bytes.size();
+  const std::size_t compressed_size = bytes.size();
   Stream stream(name);
   std::string result;
   std::size_t size = 0; // of the result so far
@@ -63,8 +69,7 @@ std::string inflate(std::string_view bytes, const std::string& name)
     stream->avail_out = static_cast<uInt>(chunk_size);
     const int status = ::inflate(stream.get(), Z_NO_FLUSH);
     size += chunk_size - stream->avail_out;
-    if(size > max_size)
-      fail(name, "its compressed data expand to more than 1,000 times their length");
+    check_expansion(size, compressed_size, name);
     const bool is_at_end = stream->avail_in == 0 && bytes.empty();
     if(status == Z_STREAM_END && is_at_end)
       break;
@@ -83,8 +88,7 @@ std::string inflate(std::string_view bytes, const std::string& name)
 std::string decompress_lz4(std::string_view bytes, std::size_t size, const std::string& name)
 {
   constexpr std::size_t max_int = (std::numeric_limits<int>::max)();
-  if(size > max_compression_ratio * bytes.size())
-    fail(name, "its compressed data expand to more than 1,000 times their length");
+  check_expansion(size, bytes.size(), name);
   if(bytes.size() > max_int || size > max_int)
     fail(name, "a compressed block is too long");
   std::string result(size, '\0');

@@ -2,56 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/Scanner.h"
 #include "readers/Surface_file.h"
+#include "readers/Welder.h"
 #include "readers/append_polygon.h"
 
 #include <cmath>
 #include <cstring>
-#include <unordered_map>
 
 namespace program {
 
 namespace {
-
-struct Point_hash
-{
-  std::size_t operator()(const Point& point) const
-  {
-    std::uint64_t result = 0;
-    for(const double x : point)
-    {
-      std::uint64_t bits;
-      std::memcpy(&bits, &x, sizeof bits);
-      // One step of splitmix64, because coordinates on a grid differ in few bits.
-      result += bits + 0x9e3779b97f4a7c15u;
-      result = (result ^ (result >> 30)) * 0xbf58476d1ce4e5b9u;
-      result = (result ^ (result >> 27)) * 0x94d049bb133111ebu;
-      result ^= result >> 31;
-    }
-    return static_cast<std::size_t>(result);
-  }
-};
-
-// Merges vertices with equal coordinates, because STL repeats them in each facet. Vertices are
-// numbered in the order of their first occurrence.
-class Welder
-{
-public:
-  explicit Welder(Surface_file& surface) : m_surface(surface) {}
-
-  void add(Point point)
-  {
-    for(double& x : point)
-      x += 0.; // -0 becomes 0
-    const auto [entry, is_new] = m_index.try_emplace(point, m_surface.points.size());
-    if(is_new)
-      m_surface.points.push_back(point);
-    append_corner(m_surface, static_cast<double>(entry->second));
-  }
-
-private:
-  Surface_file& m_surface;
-  std::unordered_map<Point, std::size_t, Point_hash> m_index;
-};
 
 std::uint32_t little_endian(std::string_view bytes)
 {
@@ -64,7 +23,7 @@ std::uint32_t little_endian(std::string_view bytes)
 Surface_file read_binary(std::string_view bytes, const std::string& name)
 {
   Surface_file surface;
-  Welder welder(surface);
+  Welder welder(surface); // STL repeats the vertices in each facet
   for(bytes.remove_prefix(84); bytes.size() >= 50; bytes.remove_prefix(50))
   {
     for(std::size_t k = 0; k < 3; ++k)
@@ -75,13 +34,12 @@ Surface_file read_binary(std::string_view bytes, const std::string& name)
         const std::uint32_t bits = little_endian(bytes.substr(12 + 12 * k + 4 * c));
         float x;
         std::memcpy(&x, &bits, sizeof x);
-        // NaN is not equal to itself, so it must not be used as a key of the hash table.
         if(!std::isfinite(x))
           fail(name, "a coordinate of facet " + std::to_string(surface.number_of_polygons()) +
                          " is not finite");
         point[c] = x;
       }
-      welder.add(point);
+      append_corner(surface, welder.index(point));
     }
     end_polygon(surface);
   }
@@ -91,7 +49,7 @@ Surface_file read_binary(std::string_view bytes, const std::string& name)
 Surface_file read_text(std::string_view bytes, const std::string& name)
 {
   Surface_file surface;
-  Welder welder(surface);
+  Welder welder(surface); // STL repeats the vertices in each facet
   Scanner scanner(bytes, name, 0);
   std::size_t corners_in_loop = 0;
   while(scanner.next_line())
@@ -106,7 +64,7 @@ Surface_file read_text(std::string_view bytes, const std::string& name)
         Point point;
         for(double& x : point)
           x = scanner.parse_coordinate(scanner.word());
-        welder.add(point);
+        append_corner(surface, welder.index(point));
         ++corners_in_loop;
       }
       else if(word == "endloop")
