@@ -373,7 +373,7 @@ TEST(Read_files, corrupted_files_are_rejected_or_valid)
   std::size_t files = 0, good = 0, bad = 0;
   for(const auto& entry : std::filesystem::recursive_directory_iterator(corpus))
   {
-    if(!entry.is_regular_file())
+    if(!entry.is_regular_file() || entry.path().parent_path().filename() == "decompress")
       continue;
     ++files;
     const Reader read = readers.at(entry.path().parent_path().filename().string());

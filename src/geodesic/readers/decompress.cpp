@@ -50,6 +50,8 @@ void check_expansion(std::size_t size, std::size_t compressed_size, const std::s
 std::string inflate(std::string_view bytes, const std::string& name)
 {
   const std::size_t compressed_size = bytes.size();
+  // VTP files have many small blocks, for which a long buffer would take longer than their content.
+  const std::size_t step = std::min(8 * compressed_size + 64, chunk_size);
   Stream stream(name);
   std::string result;
   std::size_t size = 0; // of the result so far
@@ -63,12 +65,12 @@ std::string inflate(std::string_view bytes, const std::string& name)
       stream->avail_in = static_cast<uInt>(length);
       bytes.remove_prefix(length);
     }
-    if(result.size() < size + chunk_size)
-      result.resize(std::max(2 * result.size(), chunk_size));
+    if(result.size() < size + step)
+      result.resize(std::max(2 * result.size(), size + step));
     stream->next_out = reinterpret_cast<Bytef*>(result.data() + size);
-    stream->avail_out = static_cast<uInt>(chunk_size);
+    stream->avail_out = static_cast<uInt>(step);
     const int status = ::inflate(stream.get(), Z_NO_FLUSH);
-    size += chunk_size - stream->avail_out;
+    size += step - stream->avail_out;
     check_expansion(size, compressed_size, name);
     const bool is_at_end = stream->avail_in == 0 && bytes.empty();
     if(status == Z_STREAM_END && is_at_end)
