@@ -34,4 +34,4 @@ set(app_uses readers io repair picture)
 set(commands_uses readers io repair picture app)
 # The headers that the readers may include besides their own and those of the standard library.  So
 # other programs can use them without CGAL.
-set(reader_headers lz4.h zlib.h)
+set(reader_headers lz4.h nlohmann/json.hpp zlib.h)

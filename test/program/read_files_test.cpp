@@ -368,7 +368,7 @@ TEST(Read_files, corrupted_files_are_rejected_or_valid)
   const std::map<std::string, Reader> readers = {
       {"ply", program::read_ply}, {"off", program::read_off}, {"obj", program::read_obj},
       {"stl", program::read_stl}, {"xyz", program::read_xyz}, {"pwn", program::read_pwn},
-      {"vtp", program::read_vtp}, {"gpw", program::read_gpw}};
+      {"vtp", program::read_vtp}, {"gpw", program::read_gpw}, {"gltf", program::read_gltf}};
   const std::filesystem::path corpus = GEODESIC_PROCESSING_SOURCE "/test/fuzz/corpus";
   std::size_t files = 0, good = 0, bad = 0;
   for(const auto& entry : std::filesystem::recursive_directory_iterator(corpus))
@@ -405,7 +405,7 @@ TEST(Read_files, corrupted_files_are_rejected_or_valid)
       attempt(changed);
     }
   }
-  EXPECT_GE(files, 25u);
+  EXPECT_GE(files, 40u);
   EXPECT_GE(good, files); // at least each unmodified file
   EXPECT_GT(bad, files);
 }

@@ -24,9 +24,10 @@ std::string file_extension(const std::string& filename)
 Surface_file read_surface_file(const std::string& filename,
                                const std::map<std::string, Reader>& more_readers)
 {
-  std::map<std::string, Reader> readers = {{"ply", read_ply}, {"off", read_off}, {"obj", read_obj},
-                                           {"stl", read_stl}, {"xyz", read_xyz}, {"pwn", read_pwn},
-                                           {"vtp", read_vtp}};
+  std::map<std::string, Reader> readers = {
+      {"ply", read_ply}, {"off", read_off},   {"obj", read_obj},
+      {"stl", read_stl}, {"xyz", read_xyz},   {"pwn", read_pwn},
+      {"vtp", read_vtp}, {"gltf", read_gltf}, {"glb", read_gltf}};
   readers.insert(more_readers.begin(), more_readers.end());
   std::string bytes = read_bytes(filename);
   const bool is_compressed = file_extension(filename) == "gz";

@@ -30,4 +30,12 @@ std::string read_bytes(const std::string& filename)
   return bytes;
 }
 
+std::string read_referenced_bytes(const std::string& filename, const std::string& path)
+{
+  const std::filesystem::path relative = std::filesystem::path(path).lexically_normal();
+  if(relative.empty() || !relative.is_relative() || *relative.begin() == "..")
+    fail(filename, "it refers to the file '" + printable(path) + "', which is not in its folder");
+  return read_bytes((std::filesystem::path(filename).parent_path() / relative).string());
+}
+
 } // namespace program
