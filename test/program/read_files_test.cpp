@@ -365,10 +365,17 @@ TEST(Read_surface_file, error_names_file_and_reason)
 // If a valid file is truncated or modified, the reader reports an error or returns valid data.
 TEST(Read_files, corrupted_files_are_rejected_or_valid)
 {
-  const std::map<std::string, Reader> readers = {
-      {"ply", program::read_ply}, {"off", program::read_off}, {"obj", program::read_obj},
-      {"stl", program::read_stl}, {"xyz", program::read_xyz}, {"pwn", program::read_pwn},
-      {"vtp", program::read_vtp}, {"gpw", program::read_gpw}, {"gltf", program::read_gltf}};
+  const std::map<std::string, Reader> readers = {{"ply", program::read_ply},
+                                                 {"off", program::read_off},
+                                                 {"obj", program::read_obj},
+                                                 {"stl", program::read_stl},
+                                                 {"xyz", program::read_xyz},
+                                                 {"pwn", program::read_pwn},
+                                                 {"vtp", program::read_vtp},
+                                                 {"gpw", program::read_gpw},
+                                                 {"gltf", program::read_gltf},
+                                                 {"gifti", program::read_gifti},
+                                                 {"freesurfer", program::read_freesurfer}};
   const std::filesystem::path corpus = GEODESIC_PROCESSING_SOURCE "/test/fuzz/corpus";
   std::size_t files = 0, good = 0, bad = 0;
   for(const auto& entry : std::filesystem::recursive_directory_iterator(corpus))
@@ -405,7 +412,7 @@ TEST(Read_files, corrupted_files_are_rejected_or_valid)
       attempt(changed);
     }
   }
-  EXPECT_GE(files, 40u);
+  EXPECT_GE(files, 45u);
   EXPECT_GE(good, files); // at least each unmodified file
   EXPECT_GT(bad, files);
 }

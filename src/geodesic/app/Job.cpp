@@ -46,8 +46,8 @@ Job::Job(Command& command) : m_result(std::make_unique<nlohmann::ordered_json>()
 {
   command
       .add("INPUT", m_input, "TEXT",
-           "mesh or point cloud: .ply .off .obj .stl .xyz .pwn .vtp .gpw .gltf .glb, or one "
-           "of these compressed by gzip (.ply.gz)")
+           "mesh or point cloud: .ply .off .obj .stl .xyz .pwn .vtp .gpw .gltf .glb .gii, or one "
+           "of these compressed by gzip (.ply.gz), or a FreeSurfer surface")
       .required();
   command.add("-o,--output", m_output, "FILE", "write the result: .ply .off .obj .vtp");
   command.add("--values", m_values, "FILE",

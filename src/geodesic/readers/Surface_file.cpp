@@ -25,15 +25,17 @@ Surface_file read_surface_file(const std::string& filename,
                                const std::map<std::string, Reader>& more_readers)
 {
   std::map<std::string, Reader> readers = {
-      {"ply", read_ply}, {"off", read_off},   {"obj", read_obj},
-      {"stl", read_stl}, {"xyz", read_xyz},   {"pwn", read_pwn},
-      {"vtp", read_vtp}, {"gltf", read_gltf}, {"glb", read_gltf}};
+      {"ply", read_ply},  {"off", read_off},  {"obj", read_obj}, {"stl", read_stl},
+      {"xyz", read_xyz},  {"pwn", read_pwn},  {"vtp", read_vtp}, {"gltf", read_gltf},
+      {"glb", read_gltf}, {"gii", read_gifti}};
   readers.insert(more_readers.begin(), more_readers.end());
   std::string bytes = read_bytes(filename);
   const bool is_compressed = file_extension(filename) == "gz";
   const std::string extension =
       file_extension(is_compressed ? std::filesystem::path(filename).stem().string() : filename);
   const auto reader = readers.find(extension);
+  if(reader == readers.end() && is_freesurfer(bytes))
+    return read_freesurfer(bytes, filename);
   if(reader == readers.end())
   {
     std::string extensions;

@@ -51,11 +51,16 @@ Surface_file read_xyz(std::string_view bytes, const std::string& name);
 Surface_file read_pwn(std::string_view bytes, const std::string& name);
 Surface_file read_vtp(std::string_view bytes, const std::string& name);
 Surface_file read_gltf(std::string_view bytes, const std::string& name); // also GLB
+Surface_file read_gifti(std::string_view bytes, const std::string& name);
+Surface_file read_freesurfer(std::string_view bytes, const std::string& name);
+
+// Returns whether the first bytes are those of a FreeSurfer surface.
+bool is_freesurfer(std::string_view bytes);
 
 // Reads a file. The extension selects one of the formats above or of `more_readers`, whose keys are
-// extensions without the dot. If the file is compressed by gzip, .gz follows the extension. The
-// data is neither repaired nor validated beyond
-// the needs of the reader, see check(). Throws Input_error.
+// extensions without the dot. If the file is compressed by gzip, .gz follows the extension. A
+// FreeSurfer surface is recognized by its content, unless it is compressed. The data is neither
+// repaired nor validated beyond the needs of the reader, see check(). Throws Input_error.
 Surface_file read_surface_file(const std::string& filename,
                                const std::map<std::string, Reader>& more_readers = {});
 
