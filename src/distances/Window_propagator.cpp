@@ -128,8 +128,20 @@ void Window_state::set_tolerance(double tolerance)
   upper.resize(tolerance > 0. ? vertices.size() : 0, infinity);
 }
 
+std::size_t Window_propagator::usual_max_work(std::size_t n)
+{
+  return 100000000 + std::size_t(2. * double(n) * std::sqrt(double(n)));
+}
+
 bool Window_propagator::step()
 {
+  if(m_work > m_max_work)
+  {
+    m_state.clear();
+    throw Unsupported_surface_error("The exact method needs too many windows on this mesh: many "
+                                    "windows cross the same edges, or circulate around a vertex of "
+                                    "high degree.");
+  }
   const Index item = m_state.queue.pop().vertex,
               number_of_halfedges = Index(m_state.triangles->corner.size());
   if(item < number_of_halfedges)
@@ -170,6 +182,7 @@ void Window_propagator::finalize_vertex(Index v)
 {
   const Surface_arrays& t = *m_state.triangles;
   m_state.vertices[v].state |= Window_state::finalized_flag;
+  m_work += t.ring_begin[v + 1] - t.ring_begin[v];
   for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
   {
     relax_along_edge(t.ring[i], false);
@@ -282,6 +295,7 @@ void Window_propagator::collect_windows(Index h)
                max_by_end = max_useful_distance(t.corner[next_halfedge(h)]) + length;
   Window_list* const lists = &m_state.waiting[2 * std::size_t(h)];
   m_state.windows.resize(lists[0].size + lists[1].size + 1);
+  m_work += lists[0].size + lists[1].size;
   Window* stack_top = m_state.windows.data(); // the first entry is a sentinel
   for(const int k : {0, 1})
   {
@@ -336,6 +350,7 @@ void Window_propagator::drop_dominated(Index h)
 {
   std::vector<Window>&crossing = m_state.windows, &known = m_state.known_windows[h];
   const double min_length = merge_tolerance * m_state.triangles->length[h];
+  m_work += crossing.size() * known.size();
   trim_all(crossing.begin() + 1, crossing, known.begin(), known.end(), min_length);
   // A stored window that is dominated now has no effect.
   trim_all(known.begin(), known, crossing.begin() + 1, crossing.end(), min_length);

@@ -66,6 +66,10 @@ struct Euclidean_front
 /// On flat regions this takes a few times as long as `Euclidean_front`. On curved meshes the
 /// number of windows grows as O(n<SUP>1.5</SUP>). The windows of adjacent edges cross a face
 /// together, as proposed by Qin et al. \cgalCite{cgal:qhyyz-fedgc-16}
+///
+/// Around vertices of very high degree O(n<SUP>2</SUP>) windows are possible. A query that
+/// propagates more than 10<SUP>8</SUP> + 2 h<SUP>1.5</SUP> windows on h halfedges throws
+/// `Unsupported_surface_error`.
 struct Exact
 {};
 

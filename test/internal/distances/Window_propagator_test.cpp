@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace Window_propagator_test {
 
 using namespace CGAL::Geodesic_processing;
@@ -47,6 +49,62 @@ TEST(Window_propagator, state_can_be_cleared)
   EXPECT_TRUE(state.reached.empty());
   for(const Window_state::Vertex& vertex : state.vertices)
     EXPECT_EQ(vertex.distance, infinity);
+}
+
+// Returns the work of the query from a vertex.
+std::size_t work(const Triangulation& triangulation, Index source)
+{
+  const Array_surface surface(triangulation);
+  Window_state state(surface.triangles(), find_pseudo_sources(surface.t()));
+  Window_propagator propagator(state);
+  propagator.start({surface.source(surface.at(source))});
+  while(!state.queue.empty())
+    propagator.step();
+  return propagator.work();
+}
+
+// Returns two cones with a common rim, whose vertices begin at index 2.
+Triangulation double_cone(Index degree)
+{
+  Triangulation result = {{{0., 0., 1.}, {0., 0., -1.}}, {}};
+  for(Index i = 0; i < degree; ++i)
+  {
+    const double angle = 2. * pi * i / degree;
+    result.points.push_back({std::cos(angle), std::sin(angle), 0.});
+    const Index p = 2 + i, q = 2 + (i + 1) % degree;
+    result.corners.insert(result.corners.end(), {0, p, q, 1, q, p});
+  }
+  return result;
+}
+
+TEST(Window_propagator, work_is_bounded)
+{
+  const std::size_t n = icosphere(3).corners.size();
+  EXPECT_LT(work(icosphere(3), 0), 20 * n); // a few windows cross each halfedge
+  EXPECT_EQ(Window_propagator::usual_max_work(10000), 102000000u);
+  // Windows circulate around the tips.  Twice the degree makes four times the work, and 2^1.5 = 2.8
+  // times the variable part of the bound.
+  EXPECT_GT(work(double_cone(200), 2), 3 * work(double_cone(100), 2));
+}
+
+TEST(Window_propagator, throws_beyond_the_maximum_work)
+{
+  const Array_surface surface(double_cone(100));
+  const Window_state expected = propagate_windows(surface, surface.at(2));
+  Window_state state(surface.triangles(), find_pseudo_sources(surface.t()));
+  const auto propagate = [&](std::size_t max_work)
+  {
+    Window_propagator propagator(state, nullptr, max_work);
+    propagator.start({surface.source(surface.at(2))});
+    while(!state.queue.empty())
+      propagator.step();
+  };
+  EXPECT_THROW(propagate(100), Unsupported_surface_error);
+  // No vertex is reached, and the state can be used again.
+  EXPECT_TRUE(state.reached.empty());
+  propagate(1000000);
+  for(std::size_t i = 0; i < expected.vertices.size(); ++i)
+    EXPECT_EQ(state.vertices[i].distance, expected.vertices[i].distance);
 }
 
 } // namespace Window_propagator_test

@@ -52,8 +52,9 @@ struct Bounded_path
 //
 // Windows with the same unfolded source are merged again.  Therefore flat regions cost as much as a
 // front, curved ones O(n^1.5) time in practice.  Windows are discarded after they have crossed.
-// The time of a query depends only on the visited triangles.  Copies share the triangles and may
-// run concurrently.
+// A query beyond Window_propagator::usual_max_work() throws Unsupported_surface_error; then no vertex
+// is reached.  The time of a query depends only on the visited triangles.  Copies share the triangles
+// and may run concurrently.
 //
 // Degenerate triangles get slightly longer edges first (without_degenerate_triangles()).
 //
@@ -70,7 +71,7 @@ public:
   explicit Window_propagation(std::shared_ptr<const Surface_arrays> triangles);
 
   // As Front::run(); known_distance is ignored.  Throws Unsupported_surface_error if the slowness
-  // differs outside of obstacles.
+  // differs outside of obstacles, or if the query exceeds Window_propagator::usual_max_work().
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
   // The results of the last query, in the unit of the arrays, as those of a Front.
