@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/eigenfunctions.h"
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include "numerics/dense_solvers.h"
 
 #include <Eigen/SparseCholesky>
@@ -16,6 +17,12 @@
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
+
+// Bounds of the columns of the null space and of the Lanczos basis. Equal components repeat each
+// eigenvalue, so that no gap follows it. Without a bound, the basis then grows to the number of
+// vertices.
+constexpr Eigen::Index max_closed_components = 512;
+Eigen::Index max_basis_columns(Eigen::Index requested) { return 512 + 8 * requested; }
 
 // The generalized eigenproblem L x = value M x on the free vertices, in symmetric form. The
 // operator M^(1/2) L^-1 M^(1/2) has the reciprocals as eigenvalues, so that its largest eigenvalues
@@ -110,6 +117,9 @@ private:
       constant_index[c] = constants++;
       pinned.coeffRef(i, i) *= 2.;
     }
+    if(Eigen::Index(constants) > max_closed_components)
+      throw Unsupported_surface_error(
+          "Eigenfunctions are computed on at most 512 closed components.");
     m_null_space = Matrix::Zero(size(), constants);
     for(Eigen::Index i = 0; i < size(); ++i)
       if(const Index c = constant_index[component[m_free_vertices[i]]]; c != none)
@@ -296,6 +306,9 @@ Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& 
                         : size_up_to_gap(lanczos, requested);
     if(lanczos.remaining_dimension() == 0 && number_chosen == 0)
       number_chosen = dimension;
+    if(number_chosen == 0 && lanczos.size() > max_basis_columns(requested))
+      throw Unsupported_surface_error("The spectrum has no gap that separates the requested number "
+                                      "of eigenfunctions: many eigenvalues are equal.");
     if(number_chosen == 0 || number_chosen == dimension || recounts == 5)
       continue;
     // The midpoint of the gap.

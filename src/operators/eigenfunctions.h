@@ -34,7 +34,11 @@ constexpr double spectral_gap(std::size_t k) { return k > 50 ? 1. / double(k) : 
 // condition. The result is deterministic.
 //
 // Method: block Lanczos iteration with the inverse operator. By Sylvester's law of inertia, the
-// number of eigenvalues below the gap is counted, so that none is missed.
+// number of eigenvalues below the gap is counted, so that none is missed. The basis has at most
+// 512 + 9 `number` columns when a gap is found, plus those of missed eigenvalues.
+//
+// Throws `Unsupported_surface_error` if this basis contains no gap because many eigenvalues are
+// equal, or if more than 512 components have no boundary.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& operators,
                               std::size_t number);

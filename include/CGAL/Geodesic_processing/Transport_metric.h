@@ -84,14 +84,18 @@ public:
   ///       `balanced`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Unsupported_surface_error if no triangle has positive area
+  /// \throws Unsupported_surface_error if no triangle has positive area. Also if `k` is positive
+  ///         and more than 512 components are closed, or no gap follows the first 512 + 8 `k`
+  ///         eigenvalues
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_metric(const Surface& surface, std::size_t k = 0,
                             const NamedParameters& np = NamedParameters())
       : Transport_metric(Domain(surface, np), k, np)
   {}
   /// uses an existing `domain`, which is shared. `k`, `np` and the time are as for a surface.
-  /// \throws Unsupported_surface_error if no triangle has positive area
+  /// \throws Unsupported_surface_error if no triangle has positive area. Also if `k` is positive
+  ///         and more than 512 components are closed, or no gap follows the first 512 + 8 `k`
+  ///         eigenvalues
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_metric(const Domain& domain, std::size_t k = 0,
                             const NamedParameters& np = NamedParameters())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/eigenfunctions.h"
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
 #include "Array_surface.h"
@@ -151,6 +152,28 @@ TEST(Eigenfunctions, is_deterministic)
 {
   const Triangulation surface = jittered(icosphere(3), 0.03);
   EXPECT_EQ(eigenfunctions_of(surface, 20).function, eigenfunctions_of(surface, 20).function);
+}
+
+// Returns equal tetrahedra.
+Triangulation equal_components(std::size_t number)
+{
+  Triangulation result = tetrahedron();
+  while(result.points.size() < number * tetrahedron().points.size())
+    result = disjoint_union(result, tetrahedron());
+  return result;
+}
+
+TEST(Eigenfunctions, throw_if_no_gap_follows)
+{
+  // Each tetrahedron has three eigenfunctions, so that each eigenvalue has the multiplicity 250 or
+  // more. The basis has at most 520 columns.
+  EXPECT_NO_THROW(eigenfunctions_of(equal_components(20), 1));
+  EXPECT_THROW(eigenfunctions_of(equal_components(250), 1), Unsupported_surface_error);
+}
+
+TEST(Eigenfunctions, throw_if_there_are_too_many_closed_components)
+{
+  EXPECT_THROW(eigenfunctions_of(equal_components(513), 1), Unsupported_surface_error);
 }
 
 } // namespace eigenfunctions_test
