@@ -46,6 +46,10 @@ constexpr double min_number_of_vertices = 500.;
 // are equal.
 constexpr double max_refinement = 2.;
 
+// The history of the flips takes 48 bytes for each of them.  On 60 scans and CAD models there
+// are at most 1.3 flips per halfedge, and 4.3 on a model of needles.
+constexpr std::size_t max_flips_per_halfedge = 8;
+
 double number_of_vertices_for_area(const Surface_arrays& mesh)
 {
   return std::max(double(mesh.number_of_vertices()), min_number_of_vertices);
@@ -134,7 +138,7 @@ Intrinsic_triangulation::Intrinsic_triangulation(const Surface_arrays& mesh,
   if(!is_bisected && is_delaunay(mesh, flip_tolerance))
     return;
   auto triangles = std::make_shared<Surface_arrays>(mesh);
-  append(flip_to_delaunay(*triangles, flip_tolerance));
+  append(flip_to_delaunay(*triangles, flip_tolerance, max_flips_per_halfedge));
   std::size_t number_of_vertices = mesh.number_of_vertices();
   if(is_bisected)
   {
@@ -143,7 +147,7 @@ Intrinsic_triangulation::Intrinsic_triangulation(const Surface_arrays& mesh,
         *triangles, number_of_vertices, max_length,
         std::size_t(max_refinement * number_of_vertices_for_area(mesh)), bisections);
     append(bisections);
-    append(flip_to_delaunay(*triangles, flip_tolerance));
+    append(flip_to_delaunay(*triangles, flip_tolerance, max_flips_per_halfedge));
   }
   triangles->point.clear(); // an edge is not a segment in space
   triangles->point.shrink_to_fit();

@@ -140,7 +140,8 @@ bool is_delaunay(const Surface_arrays& t, double tolerance)
   return true;
 }
 
-std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& t, double tolerance)
+std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& t, double tolerance,
+                                        std::size_t max_flips_per_halfedge)
 {
   const Vec2 direction = {std::cos(tolerance), std::sin(tolerance)};
   std::vector<Index> stack;
@@ -152,8 +153,8 @@ std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& t, double tolerance)
       stack.push_back(h);
     }
   // Terminates in exact arithmetic because each flip decreases the Dirichlet energy of the
-  // identity.  The bound is for round-off errors.
-  const std::size_t max_flips = 100 * t.corner.size() + 1000;
+  // identity.  Around a vertex of high degree the number of flips is quadratic.
+  const std::size_t max_flips = max_flips_per_halfedge * t.corner.size() + 1000;
   std::vector<Edge_flip> flips;
   while(!stack.empty() && flips.size() < max_flips)
   {

@@ -35,9 +35,13 @@ struct Edge_flip
 // pi / 2.  With the default, the mesh is then intrinsic Delaunay, and no cotangent weight is
 // negative.  Changes corners, twins and lengths; the rings become invalid.  Edges that have the same
 // triangle at both halfedges are not flipped.  Returns the flips in their order.
+//
+// Flips at most 1000 + max_flips_per_halfedge * #halfedges edges.  If this bound is reached, the
+// result is a triangulation of the same metric that is not Delaunay.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& triangles,
-                                        double tolerance = delaunay_tolerance);
+                                        double tolerance = delaunay_tolerance,
+                                        std::size_t max_flips_per_halfedge = 100);
 
 // A bisection of a triangle abc at the midpoint of its edge ab.
 struct Bisection

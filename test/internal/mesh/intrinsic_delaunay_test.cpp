@@ -104,6 +104,23 @@ TEST(Intrinsic_delaunay, edges_within_the_tolerance_are_kept)
   EXPECT_TRUE(is_delaunay(t, 13. * pi / 180.));
 }
 
+TEST(Intrinsic_delaunay, number_of_flips_is_bounded)
+{
+  // On a sheared square, the number of flips per edge grows with the shear.
+  const Array_surface surface(grid(20, 20,
+                                   [](double u, double v) {
+                                     return Point{u + 30. * v, v, 0.};
+                                   }));
+  Surface_arrays t = *surface.triangles();
+  EXPECT_GT(flip_to_delaunay(t).size(), 1000u);
+  EXPECT_TRUE(is_delaunay(t));
+  t = *surface.triangles();
+  const double before = area(t);
+  EXPECT_EQ(flip_to_delaunay(t, delaunay_tolerance, 0).size(), 1000u);
+  EXPECT_FALSE(is_delaunay(t));
+  EXPECT_NEAR(area(t), before, 1e-10); // thousands of round-off errors
+}
+
 TEST(Intrinsic_delaunay, handles_triangles_that_share_two_edges)
 {
   // Two triangles with the same three vertices: a flip makes an edge with the same vertex at both
