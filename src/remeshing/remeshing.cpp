@@ -59,6 +59,11 @@ constexpr int max_intersection_rounds = 10;
 // triangles with the same three vertices need one or two.
 constexpr int max_refinements = 20;
 
+// Rounds in which samples are added to invalid cells. In the first ones, each invalid cell gets one
+// sample; 60 scans and CAD models need at most 25. On chains of needles, each round moves the
+// violation to the next cell. Therefore the number of samples per cell then doubles regularly.
+constexpr std::size_t max_single_repairs = 64, repairs_per_doubling = 16, max_repairs = 400;
+
 class Remesher
 {
 public:
@@ -300,7 +305,14 @@ private:
 
   void repair(const Cells& cells, const Topology_check& check)
   {
-    const Topology_repair found = repair_topology(m_surface, *m_sampling, cells, check);
+    if(++m_number_of_repairs > max_repairs)
+      throw_no_topology();
+    const std::size_t number_of_additional =
+        m_number_of_repairs <= max_single_repairs
+            ? 0
+            : std::size_t(1) << (m_number_of_repairs - max_single_repairs) / repairs_per_doubling;
+    const Topology_repair found =
+        repair_topology(m_surface, *m_sampling, cells, check, number_of_additional);
     if(!found.samples.empty())
       m_sampling->add(found.samples);
     else
@@ -324,13 +336,18 @@ private:
     return false;
   }
 
+  [[noreturn]] static void throw_no_topology()
+  {
+    throw Unsupported_surface_error("The samples cannot be triangulated with the topology of the "
+                                    "mesh, even after refinement.");
+  }
+
   // Splits the edges of all triangles at the given cells. Needed if all vertices of these cells are
   // samples, and their dual is still no surface because two triangles have the same three vertices.
   void refine_unresolved(const Cells& cells, const std::vector<Index>& unresolved)
   {
     if(++m_number_of_refinements > max_refinements)
-      throw Unsupported_surface_error("The samples cannot be triangulated with the topology of the "
-                                      "mesh, even after refinement.");
+      throw_no_topology();
     std::vector<bool> is_unresolved(cells.samples.size(), false),
         is_split(t().corner.size(), false);
     for(const Index cell : unresolved)
@@ -398,6 +415,7 @@ private:
   Remeshing m_result;
 
   int m_number_of_refinements = 0, m_intersection_rounds = 0;
+  std::size_t m_number_of_repairs = 0;
   std::optional<Remeshing> m_fallback; // before samples were added at self-intersections
 };
 

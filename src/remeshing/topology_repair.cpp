@@ -233,6 +233,32 @@ Contact_vertices farthest_at_contacts(const Refined_surface& surface, const Cell
   return result;
 }
 
+// Appends up to `number` vertices of each selected cell that are not samples yet.
+void add_vertices_of_cells(const Cells& cells, const std::vector<double>& distances,
+                           const std::vector<bool>& is_selected, std::size_t number,
+                           std::vector<Surface_location>& samples)
+{
+  std::vector<bool> is_candidate(cells.labels.size(), false);
+  std::vector<std::size_t> number_of_candidates(cells.samples.size(), 0);
+  for(Index vertex = 0; vertex < cells.labels.size(); ++vertex)
+    is_candidate[vertex] =
+        cells.labels[vertex] != none && is_selected[cells.labels[vertex]] && distances[vertex] > 0.;
+  for(const Surface_location& sample : samples)
+    is_candidate[sample.vertex] = false;
+  for(Index vertex = 0; vertex < cells.labels.size(); ++vertex)
+    if(is_candidate[vertex])
+      ++number_of_candidates[cells.labels[vertex]];
+  std::vector<std::size_t> number_visited(cells.samples.size(), 0);
+  for(Index vertex = 0; vertex < cells.labels.size(); ++vertex)
+    if(is_candidate[vertex])
+    {
+      const Index cell = cells.labels[vertex];
+      const std::size_t step = (number_of_candidates[cell] + number - 1) / number;
+      if(number_visited[cell]++ % step == 0)
+        samples.push_back({none, vertex, {}});
+    }
+}
+
 } // namespace
 
 Cells connected_cells(const Surface_arrays& t, const Sampling& sampling)
@@ -283,7 +309,8 @@ Topology_check check_topology(const Refined_surface& surface, const Sampling& sa
 }
 
 Topology_repair repair_topology(const Refined_surface& surface, const Sampling& sampling,
-                                const Cells& cells, const Topology_check& check)
+                                const Cells& cells, const Topology_check& check,
+                                std::size_t number_of_additional)
 {
   const std::vector<double>& distances = sampling.distances();
   const Dual& found = check.dual;
@@ -325,6 +352,8 @@ Topology_repair repair_topology(const Refined_surface& surface, const Sampling& 
     add({found.repeated_triple_points[i][0], found.repeated_triple_points[i][1],
          found.repeated_triple_points[i][2]},
         contact.at_triple_point[i]);
+  if(number_of_additional > 0)
+    add_vertices_of_cells(cells, distances, is_handled, number_of_additional, result.samples);
   return result;
 }
 

@@ -55,16 +55,19 @@ Topology_check check_topology(const Refined_surface& surface, const Sampling& sa
 struct Topology_repair
 {
   // New samples: for each violation the vertex farthest from its sample. A cell takes part in one
-  // repair only.
+  // repair only. Followed by the additional samples of these cells.
   std::vector<Surface_location> samples;
   // Cells with a violation all of whose vertices are samples already.
   std::vector<Index> unresolved;
 };
 
-// Selects new samples that reduce the violations of a topology check. O(n log n).
+// Selects new samples that reduce the violations of a topology check. Adds up to
+// `number_of_additional` vertices of each repaired cell, at equal steps in the order of vertices.
+// O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Topology_repair repair_topology(const Refined_surface& surface, const Sampling& sampling,
-                                const Cells& cells, const Topology_check& check);
+                                const Cells& cells, const Topology_check& check,
+                                std::size_t number_of_additional = 0);
 
 } // namespace CGAL::Geodesic_processing::internal
 

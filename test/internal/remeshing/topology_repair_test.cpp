@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 namespace topology_repair_test {
 
 using namespace CGAL::Geodesic_processing::internal;
@@ -64,6 +67,30 @@ TEST(Topology_repair, one_cell_of_a_closed_surface_is_invalid)
   EXPECT_TRUE(repair.unresolved.empty());
   // The new sample is the farthest vertex.
   EXPECT_EQ(s.sampling.distances()[repair.samples[0].vertex], s.sampling.covering_radius());
+}
+
+TEST(Topology_repair, additional_samples_are_new_vertices_of_the_repaired_cells)
+{
+  Sampled_surface s(icosphere(2), {0});
+  const Cells cells = connected_cells(s.arrays.t(), s.sampling);
+  const Topology_check check = check_topology(s.surface, s.sampling, cells);
+  const Index first = repair_topology(s.surface, s.sampling, cells, check).samples.at(0).vertex;
+  const std::size_t number_of_others = cells.labels.size() - 2;
+  for(const std::size_t number : {std::size_t(1), std::size_t(7), 10 * number_of_others})
+  {
+    const Topology_repair repair = repair_topology(s.surface, s.sampling, cells, check, number);
+    std::set<Index> vertices;
+    for(const Surface_location& sample : repair.samples)
+    {
+      EXPECT_GT(s.sampling.distances()[sample.vertex], 0.);
+      vertices.insert(sample.vertex);
+    }
+    EXPECT_EQ(repair.samples[0].vertex, first);
+    EXPECT_EQ(vertices.size(), repair.samples.size());
+    // Equal steps are rounded up, so that more than half of the number is found.
+    EXPECT_GT(2 * (vertices.size() - 1), std::min(number, number_of_others));
+    EXPECT_LE(vertices.size() - 1, std::min(number, number_of_others));
+  }
 }
 
 TEST(Topology_repair, repair_ends_with_a_valid_dual)

@@ -73,8 +73,10 @@ struct Remeshing
 // vertices, their edges are split.
 //
 // Throws `Invalid_argument_error` if the result would have more than 2^31 halfedges, and
-// `Unsupported_surface_error` if splitting edges does not resolve the violations.
-// Takes about the time of the sampling, and O(n log n) for each of a few rounds of checks.
+// `Unsupported_surface_error` if splitting edges or the rounds of checks do not resolve the
+// violations.
+// Takes about the time of the sampling, and O(n log n) for each round of checks. At most 400 rounds
+// add samples to invalid cells; after 64 of them, the number per cell doubles every 16 rounds.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Remeshing remesh(const std::shared_ptr<const Surface_arrays>& triangles,
                  const Remeshing_options& options);
