@@ -56,8 +56,9 @@ struct Base_mesh
 //
 // Returns nothing if there is no path for an edge between the previous ones. A short path can pass
 // a handle on the wrong side. Also returns nothing if triangles are so thin that each path
-// multiplies the number of triangles that the next ones cross.
-// Takes near-linear time in the size of the mesh and of the paths.
+// multiplies the number of triangles that the next ones cross: more than 150,000 + 10 (#triangles +
+// #edges) triangles are not split again, and the searches visit at most 50 points per halfedge plus
+// 1500 per base edge. Takes near-linear time in the size of the mesh and of the paths.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<Base_mesh> build_base_mesh(const Surface_arrays& coarse,
                                          const std::vector<Surface_location>& samples,
@@ -69,8 +70,8 @@ std::optional<Base_mesh> build_base_mesh(const Surface_arrays& coarse,
 // confined to the cells of its end vertices. These cells are disks that meet in an
 // arc, so that a path exists.
 //
-// Throws `Unsupported_surface_error` if tracing fails nevertheless; no such input is known. Throws
-// the exceptions of remesh().
+// Throws `Unsupported_surface_error` if tracing fails nevertheless, because the limits of work are
+// reached on thin triangles. Throws the exceptions of remesh().
 CGAL_GEODESIC_PROCESSING_EXPORT
 Base_mesh build_base_mesh(const std::shared_ptr<const Surface_arrays>& triangles,
                           const Remeshing_options& options);
