@@ -59,7 +59,7 @@ void Reverse_window_search::propagate_back(const Surface_location& from)
   for(const Index triangle : triangles_at(t, from))
     m_goal.meet_sources(triangle,
                         unfolded_point(unfolded(t, triangle), *barycentric_in(t, triangle, from)),
-                        origin);
+                        0., origin);
   m_state.min_offset = 0.;
   Window_propagator propagator(m_state, &m_goal);
   propagator.start({{{from}, 0., 0}});

@@ -124,7 +124,7 @@ double Window_goal::lower_bound(Index vertex) const
   return std::min(m_forward->vertices[vertex].distance, m_forward->max_distance);
 }
 
-void Window_goal::meet_sources(Index triangle, const Vec2& position, Index origin)
+void Window_goal::meet_sources(Index triangle, const Vec2& position, double distance, Index origin)
 {
   const auto& pieces = pieces_by_triangle();
   for(auto i = std::lower_bound(pieces.begin(), pieces.end(), std::pair(triangle, Index(0)));
@@ -136,7 +136,7 @@ void Window_goal::meet_sources(Index triangle, const Vec2& position, Index origi
     meet(piece,
          closest_point_on_segment(position, unfolded_point(corners, piece.begin),
                                   unfolded_point(corners, piece.end), is_inside),
-         position, 0., origin);
+         position, distance, origin);
   }
 }
 

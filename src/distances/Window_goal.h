@@ -65,8 +65,8 @@ public:
   // Returns the distance at a vertex beyond which no path is short enough.
   double max_useful_distance(Index vertex) const;
   // Tests the segments from a position in the layout of a triangle to the closest points of the
-  // source pieces in this triangle.
-  void meet_sources(Index triangle, const Vec2& position, Index origin);
+  // source pieces in this triangle.  The position is at this backward distance from the origin.
+  void meet_sources(Index triangle, const Vec2& position, double distance, Index origin);
   // Tests the paths from windows that cross a halfedge to the source pieces in its triangle.  The
   // first entry of `windows` is unused.
   void meet_sources_behind(Index h, const std::vector<Window>& windows);

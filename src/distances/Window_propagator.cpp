@@ -190,8 +190,14 @@ void Window_propagator::finalize_vertex(Index v)
     if(m_state.vertices[v].corner == none)
       emit_window(t.ring[i], 0., pi);
   }
-  if(m_state.vertices[v].corner != none && (*m_state.is_pseudo_source)[v])
-    create_pseudosource_windows(v);
+  if(m_state.vertices[v].corner == none || !(*m_state.is_pseudo_source)[v])
+    return;
+  create_pseudosource_windows(v);
+  // These windows leave the triangles around the vertex.
+  if(m_goal && m_goal->collects_all())
+    for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
+      m_goal->meet_sources(t.ring[i] / 3, unfolded(t, t.ring[i] / 3)[t.ring[i] % 3],
+                           m_state.vertices[v].distance, v);
 }
 
 void Window_propagator::relax_along_edge(Index corner, bool is_incoming)

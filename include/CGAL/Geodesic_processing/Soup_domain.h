@@ -84,6 +84,8 @@ Soup_domain<Point>::Soup_domain(const PointRange& points, const PolygonRange& po
                                 const NamedParameters& np)
 {
   using Element = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
+  static_assert(std::is_constructible_v<Point, double, double, double>,
+                "The elements of a soup are points of CGAL; pass a point_map for other types.");
   const auto point_map =
       internal::parameter(np, CGAL::internal_np::point_map, CGAL::Identity_property_map<Element>());
   internal::Polygon_soup soup;

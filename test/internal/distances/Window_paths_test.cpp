@@ -151,6 +151,46 @@ TEST(Window_paths, path_passes_only_through_saddle_vertices)
   }
 }
 
+// Returns the location of a point of a flat surface.
+Surface_location location_in_plane(const Array_surface& surface, const Triangulation& triangulation,
+                                   double x, double y)
+{
+  for(Index f = 0; f < triangulation.corners.size() / 3; ++f)
+  {
+    std::array<double, 3> twice_area;
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Point &p = triangulation.points[triangulation.corners[3 * f + (k + 1) % 3]],
+                  &q = triangulation.points[triangulation.corners[3 * f + (k + 2) % 3]];
+      twice_area[k] = (p[0] - x) * (q[1] - y) - (p[1] - y) * (q[0] - x);
+    }
+    const double sum = twice_area[0] + twice_area[1] + twice_area[2];
+    if(*std::min_element(twice_area.begin(), twice_area.end()) >= 0.)
+      return surface.in(f, {twice_area[0] / sum, twice_area[1] / sum, twice_area[2] / sum});
+  }
+  ADD_FAILURE() << "The point is not on the surface.";
+  return {};
+}
+
+TEST(Window_paths, both_paths_around_a_square_hole_are_found)
+{
+  // Nine unit squares without the one in the center.
+  Triangulation ring = grid(3, 3, [](double u, double v) { return Point{3. * u, 3. * v, 0.}; });
+  ring.corners.erase(ring.corners.begin() + 6 * 4, ring.corners.begin() + 6 * 5);
+  const Array_surface surface(ring);
+  // The source is on an edge of the triangles around the corners of the hole, or inside of them.
+  for(const double y : {3., 2.9, 2.5})
+  {
+    Window_propagation windows(surface.triangles());
+    windows.run({surface.source(location_in_plane(surface, ring, 1.5, y))});
+    const auto paths = windows.paths(location_in_plane(surface, ring, 1.5, 0.), 0.);
+    EXPECT_EQ(paths.size(), 2u) << y;
+    for(const auto& path : paths)
+      EXPECT_NEAR(surface.scale() * path_length(surface.t(), path),
+                  std::hypot(0.5, 1.) + 1. + std::hypot(0.5, y - 2.), round_off);
+  }
+}
+
 TEST(Window_paths, path_is_empty_between_components)
 {
   const Array_surface surface(disjoint_union(one_triangle(), folded_strip()));

@@ -54,8 +54,7 @@ void link_boundary_halfedges(
 }
 
 // Returns the mesh of triangles with the given twins. Vertex i is point i, and face f is triangle
-// f. A point with several fans remains one vertex. The
-// coordinates are undefined. O(n).
+// f. A point with several fans remains one vertex. The coordinates are not set. O(n).
 //
 // corners: 3 #triangles, indices of points
 // twins: 3 #triangles, the opposite halfedge or none
