@@ -130,7 +130,7 @@ void Window_state::set_tolerance(double tolerance)
 
 std::size_t Window_propagator::usual_max_work(std::size_t n)
 {
-  return 100000000 + std::size_t(2. * double(n) * std::sqrt(double(n)));
+  return 1000000000 + std::size_t(10. * double(n) * std::sqrt(double(n)));
 }
 
 bool Window_propagator::step()

@@ -43,7 +43,7 @@ public:
   // Returns the work so far: the number of windows that waited at crossed halfedges, of comparisons
   // with stored windows, and of triangles around finalized vertices.
   std::size_t work() const { return m_work; }
-  // Returns the limit of the work on n halfedges: 10^8 + 2 n^1.5.  On smooth surfaces the work is a
+  // Returns the limit of the work on n halfedges: 10^9 + 10 n^1.5.  On smooth surfaces the work is a
   // small multiple of n.  Windows that circulate around a vertex of high degree cross each of its
   // edges; then n^2 is possible.
   CGAL_GEODESIC_PROCESSING_EXPORT static std::size_t usual_max_work(std::size_t n);

@@ -68,7 +68,7 @@ struct Euclidean_front
 /// together, as proposed by Qin et al. \cgalCite{cgal:qhyyz-fedgc-16}
 ///
 /// Around vertices of very high degree O(n<SUP>2</SUP>) windows are possible. A query that
-/// propagates more than 10<SUP>8</SUP> + 2 h<SUP>1.5</SUP> windows on h halfedges throws
+/// needs more than 10<SUP>9</SUP> + 10 h<SUP>1.5</SUP> steps of windows on h halfedges throws
 /// `Unsupported_surface_error`.
 struct Exact
 {};
