@@ -134,6 +134,23 @@ TEST(surface_models, mesh_types_give_equal_results)
 #endif
 }
 
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+TEST(surface_models, handles_that_add_vertex_returns_are_vertices)
+{
+  // Since version 9, they are of a class that is derived from VertexHandle.
+  using Open_mesh = OpenMesh::TriMesh_ArrayKernelT<>;
+  Open_mesh mesh;
+  const auto a = mesh.add_vertex({0.f, 0.f, 0.f}), b = mesh.add_vertex({1.f, 0.f, 0.f}),
+             c = mesh.add_vertex({0.f, 1.f, 0.f});
+  mesh.add_face(a, b, c);
+  std::map<Open_mesh::VertexHandle, double> distances;
+  GP::geodesic_distances(mesh, a, boost::make_assoc_property_map(distances));
+  EXPECT_EQ(distances[b], 1.);
+  EXPECT_EQ(GP::geodesic_path(mesh, c, a).length, 1.);
+  EXPECT_NEAR(GP::earth_movers_distance(mesh, a, b).value, 1., 1e-3); // the gap
+}
+#endif
+
 TEST(surface_models, filtered_graph_gives_results_of_its_faces)
 {
   Numbered<Mesh> mesh;

@@ -31,7 +31,7 @@ Mesh mesh_of(const std::vector<Point>& points, const Triangles& triangles)
     file.corners.insert(file.corners.end(), triangle.begin(), triangle.end());
     file.polygon_begin.push_back(file.corners.size());
   }
-  return program::make_mesh(program::repair(std::move(file), ""));
+  return program::repair(std::move(file), "").domain->mesh();
 }
 
 // Returns a prism of height 1 without its end faces, over a regular polygon on the unit circle.

@@ -145,7 +145,7 @@ public:
   /// \throws Invalid_argument_error if there is no source, or if an offset, a location, a speed, the
   ///         maximum distance or the relative tolerance is invalid
   /// \throws Unsupported_surface_error if a speed map is given and the method does not support
-  ///         speeds, if the relative tolerance is positive and the method is not `Exact`, or if
+  ///         speeds, if the relative tolerance is positive and the method is not exact, or if
   ///         `Exact` exceeds its limit of windows
   /// \throws Cancelled if the callback returns false.  Then only vertices or surfels whose
   ///         distances were final are reached.

@@ -186,7 +186,7 @@ Geodesic_path<Surface_of<Surface>> shorten_polyline(const Surface& surface,
   using Domain = std::decay_t<decltype(domain)>;
   using Element = std::decay_t<decltype(*std::begin(polyline))>;
   Geodesic_path_finder<Surface_of<Surface>> finder(domain, np);
-  if constexpr(internal::is_vertex_or_location<Domain, Element>)
+  if constexpr(internal::names_location<Domain, Element>)
     return finder.shorten(polyline);
   else
   {

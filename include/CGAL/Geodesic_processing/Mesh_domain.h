@@ -99,7 +99,8 @@ public:
   {
     static_assert(internal::is_keyed_by<PropertyMap, Vertex>,
                   "An output map is a property map with vertices as keys. "
-                  "CGAL::make_property_map() makes a map of a vector.");
+                  "CGAL::make_property_map() makes a map of a vector for vertices that "
+                  "convert to indices.");
     using Value = typename boost::property_traits<PropertyMap>::value_type;
     for(internal::Index i = 0; i < number_of_vertices(); ++i)
       put(map, m_data->vertices[i], static_cast<Value>(values(i)));

@@ -35,9 +35,10 @@ template <typename Surface>
 class Source
 {
 public:
-  using Vertex = typename internal::Surface_traits<Surface>::Vertex;
+  using Vertex = typename internal::Surface_traits<Surface>::Vertex; ///< a vertex or a surfel
+  /// a location on the surface
   using Location = typename internal::Surface_traits<Surface>::Location;
-  using Polyline = std::vector<Location>;
+  using Polyline = std::vector<Location>; ///< consecutive locations
 
   /// constructs a source at a vertex or surfel.
   /// \param vertex a vertex or surfel

@@ -147,7 +147,7 @@ public:
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{up_direction}
   ///     \cgalParamDescription{a vector in space; the second axis of the map is its projection to
-  ///       the tangent plane}
+  ///       the tangent plane, approximately if the triangles at the base point are not in a plane}
   ///     \cgalParamType{a 3D vector of any kernel}
   ///     \cgalParamDefault{not given: the first axis points along the first edge at the base point}
   ///   \cgalParamNEnd

@@ -41,8 +41,8 @@ struct Fast_marching
 /// round-off errors. Elsewhere the method is of second order. Errors are some hundredths of a
 /// percent on common meshes, and up to some tenths on rough scans. On CAD models the mean error is
 /// up to one percent, and single distances are wrong by some percent. No distance exceeds the
-/// length of a path along edges. From a single point, none is below the length of the straight
-/// line.
+/// length of a path along edges. On a mesh, from a single point, none is below the length of the
+/// straight line.
 ///
 /// Circular fronts are due to Reimers \cgalCite{cgal:r-tvs-04}. Here the curvature of the circle is
 /// not assumed, but fitted to a direction and two distances. If a speed is given, the front is that

@@ -8,6 +8,7 @@
 #include <boost/range/iterator_range.hpp>
 
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 namespace program {
@@ -51,7 +52,14 @@ Surface repair(Surface_file file, const std::string& filename, unsigned threads)
   for(std::size_t f = 0; f < surface.file.number_of_polygons(); ++f)
     polygons.emplace_back(surface.file.corners.data() + surface.file.polygon_begin[f],
                           surface.file.corners.data() + surface.file.polygon_begin[f + 1]);
-  surface.domain = CGAL::Geodesic_processing::make_domain(points, polygons);
+  try
+  {
+    surface.domain = CGAL::Geodesic_processing::make_domain(points, polygons);
+  }
+  catch(const std::runtime_error& error)
+  {
+    throw Input_error(filename + ": " + error.what());
+  }
   set_triangles(surface.domain->mesh(), surface.file);
   if(surface.file.corners.empty())
     fail(filename, "all of its faces are degenerate");

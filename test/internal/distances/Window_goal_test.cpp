@@ -38,7 +38,7 @@ TEST(Window_goal, meets_sources_in_the_same_triangle)
   const Window_state forward = propagate_windows(surface, source);
   Window_goal goal(surface.triangles());
   goal.find_shortest(forward);
-  goal.meet_sources(source.triangle, {0., 0.}, surface.vertex(0)); // the first corner
+  goal.meet_sources(source.triangle, {0., 0.}, 0., surface.vertex(0)); // the first corner
   const Index corner = surface.t().corner[3 * source.triangle];
   EXPECT_EQ(goal.meeting().vertex, none);
   EXPECT_NEAR(goal.meeting().distance, forward.vertices[corner].distance, round_off);

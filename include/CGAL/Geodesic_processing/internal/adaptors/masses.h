@@ -60,7 +60,7 @@ Mass_distribution masses(const Domain& domain, const From& from)
   Mass_distribution result;
   if constexpr(std::is_same_v<From, Mass_distribution>)
     return from;
-  else if constexpr(is_vertex_or_location<Domain, From>)
+  else if constexpr(names_location<Domain, From>)
     result.at_locations.emplace_back(location(domain, from), 1.);
   else if constexpr(Is_density<From>::value)
     result.density = vertex_values(domain, from.map);

@@ -60,20 +60,13 @@ Surface_location location(const Domain& domain, const VertexOrLocation& element)
     return domain.inner_vertex(element);
 }
 
-// Whether T is a vertex or a location of the domain, or an integer that converts to a vertex.
-template <typename Domain, typename T>
-inline constexpr bool is_vertex_or_location = std::is_same_v<T, typename Domain::Location> ||
-                                              std::is_same_v<T, typename Domain::Vertex> ||
-                                              (std::is_integral_v<T> &&
-                                               std::is_convertible_v<T, typename Domain::Vertex>);
-
 // Converts a vertex, a location, or a range of either to internal locations.
 template <typename Domain, typename Range>
 std::vector<Surface_location> locations(const Domain& domain, const Range& range)
 {
   static_assert(require_location<Domain, Element_of<Range>>());
   std::vector<Surface_location> result;
-  if constexpr(is_vertex_or_location<Domain, Range>)
+  if constexpr(names_location<Domain, Range>)
     result.push_back(location(domain, range));
   else
     for(const auto& element : range)
@@ -126,7 +119,7 @@ std::vector<internal::Front_source> sources(const Domain& domain, const Sources&
     result.push_back(source(domain, item, position));
     labels.push_back(item.label(position));
   };
-  if constexpr(is_vertex_or_location<Domain, Sources> || std::is_same_v<Sources, Source>)
+  if constexpr(names_location<Domain, Sources> || std::is_same_v<Sources, Source>)
     add(Source(input));
   else
     for(const auto& item : input)
