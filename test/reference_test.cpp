@@ -221,6 +221,7 @@ const std::map<std::string, std::string> functions_without_exceptions = {
     {"composite_decal(", "reads and writes the property map only"},
     {"face_distortion(", "the map of a degenerate face is infinite or NaN"},
     {"make_domain(const Mesh_domain<", "copies the domain"},
+    {"make_domain(const Soup_domain<", "copies the domain"},
     {"make_domain(const Surfel_domain<", "copies the domain"},
     {"mass_density(", "stores the map; the function that reads it throws"}};
 

@@ -50,7 +50,14 @@ class Soup_domain : public Mesh_domain<Surface_mesh<Point>>
   using Index = internal::Index;
 
 public:
-  /// constructs the domain from a polygon soup. See `make_domain()` for the parameters.
+  /// constructs the domain from a polygon soup. O(n).
+  ///
+  /// \tparam PointRange as for `make_domain()`
+  /// \tparam PolygonRange as for `make_domain()`
+  /// \param points the points
+  /// \param polygons the polygons: indices of points
+  /// \param np named parameters of `make_domain()`
+  /// \throws as `make_domain()`
   template <typename PointRange, typename PolygonRange,
             typename NamedParameters = internal::Default_parameters>
   Soup_domain(const PointRange& points, const PolygonRange& polygons,
@@ -214,6 +221,7 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \pre The property map has a value for each element of `points`.
 /// \returns the domain
 /// \throws Invalid_argument_error if a coordinate is not finite, if a corner is not the index of a
 ///         point, if distances overflow, or if the tolerance is negative

@@ -85,7 +85,7 @@ Picture_regions report_mesh(Job& job)
 {
   const auto& domain = *job.surface().domain;
   const GP::Soup_report& report = domain.report();
-  const Surface_arrays& triangles = *domain.triangles();
+  const Surface_arrays& triangles = *domain.triangles(); // Not public: for angles and components.
   job.begin_stage("query");
   const Mesh_quality quality = compute_quality(triangles);
   Json_object result = job.result();
