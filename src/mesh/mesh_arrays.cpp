@@ -175,12 +175,12 @@ std::vector<Index> twins_of_soup(std::size_t number_of_points, const std::vector
 {
   std::vector<Index> twin(corners.size(), none);
   for_each_edge_of_soup(number_of_points, corners,
-                        [&](const Index* begin, const Index* end)
+                        [&](const std::vector<Index>& edge)
                         {
-                          if(end - begin == 2 && corners[begin[0]] != corners[begin[1]])
+                          if(edge.size() == 2 && corners[edge[0]] != corners[edge[1]])
                           {
-                            twin[begin[0]] = begin[1];
-                            twin[begin[1]] = begin[0];
+                            twin[edge[0]] = edge[1];
+                            twin[edge[1]] = edge[0];
                           }
                         });
   return twin;

@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -174,71 +173,85 @@ void triangulate(const Polygon_soup& soup, const Soup_options& options, Repaired
   }
 }
 
-struct Triangle_hash
+struct Halfedge_pairs
 {
-  std::size_t operator()(const std::array<Index, 3>& triangle) const
-  {
-    std::uint64_t result = triangle[0];
-    for(const Index corner : {triangle[1], triangle[2]})
-    {
-      result = (result ^ (result >> 29)) * 0xbf58476d1ce4e5b9u + corner;
-      result = (result ^ (result >> 32)) * 0x94d049bb133111ebu;
-    }
-    return static_cast<std::size_t>(result ^ (result >> 31));
-  }
+  std::vector<Index> opposite;    // #halfedges; see orient_triangles()
+  std::vector<bool> is_duplicate; // #triangles
+  std::size_t number_of_duplicates = 0;
+  std::size_t number_of_nonmanifold_edges = 0;
 };
 
-// Removes triangles with the same corners in the same cyclic order as an earlier one.  Two
-// triangles of opposite orientation are kept, because they may be a closed surface.
-void remove_duplicate_triangles(Repaired_soup& soup)
+// Finds duplicates: triangles with the same corners in the same cyclic order as an earlier one.
+// Triangles of opposite orientation are not duplicates, because they may be a closed surface.
+// Pairs the other halfedges of each edge if there are two.
+Halfedge_pairs pair_halfedges(std::size_t number_of_points, const std::vector<Index>& corners)
 {
-  std::unordered_set<std::array<Index, 3>, Triangle_hash> seen;
-  seen.reserve(soup.polygon.size());
-  std::size_t number_kept = 0;
-  for(std::size_t f = 0; f < soup.polygon.size(); ++f)
+  Halfedge_pairs result;
+  result.opposite.assign(corners.size(), none);
+  result.is_duplicate.assign(corners.size() / 3, false);
+  const auto pair = [&](Index g, Index h)
   {
-    const auto corners = soup.corners.begin() + static_cast<std::ptrdiff_t>(3 * f);
-    std::array<Index, 3> triangle;
-    std::rotate_copy(corners, std::min_element(corners, corners + 3), corners + 3,
-                     triangle.begin());
-    if(!seen.insert(triangle).second)
-      continue;
-    std::copy_n(corners, 3, soup.corners.begin() + static_cast<std::ptrdiff_t>(3 * number_kept));
-    soup.polygon[number_kept++] = soup.polygon[f];
-  }
-  soup.report.number_of_duplicate_triangles = soup.polygon.size() - number_kept;
-  soup.corners.resize(3 * number_kept);
-  soup.polygon.resize(number_kept);
+    result.opposite[g] = h;
+    result.opposite[h] = g;
+  };
+  // Triangles with a common edge are duplicates if the edge has the same direction in both and if
+  // they have the same third corner.
+  const auto triangle = [&](Index h)
+  { return std::make_pair(corners[h], corners[previous_halfedge(h)]); };
+  std::vector<Index> remaining;
+  const auto pair_all = [&](const std::vector<Index>& edge)
+  {
+    if(edge.size() == 2 && corners[edge[0]] != corners[edge[1]])
+      return pair(edge[0], edge[1]);
+    remaining = edge;
+    std::stable_sort(remaining.begin(), remaining.end(),
+                     [&](Index g, Index h) { return triangle(g) < triangle(h); });
+    for(std::size_t i = 1; i < remaining.size(); ++i)
+      if(triangle(remaining[i - 1]) == triangle(remaining[i]))
+        result.is_duplicate[remaining[i] / 3] = true;
+    remaining.erase(std::remove_if(remaining.begin(), remaining.end(),
+                                   [&](Index h) { return result.is_duplicate[h / 3]; }),
+                    remaining.end());
+    if(remaining.size() == 2)
+      pair(remaining[0], remaining[1]);
+    else if(remaining.size() > 2)
+      ++result.number_of_nonmanifold_edges;
+  };
+  for_each_edge_of_soup(number_of_points, corners, pair_all);
+  result.number_of_duplicates = static_cast<std::size_t>(
+      std::count(result.is_duplicate.begin(), result.is_duplicate.end(), true));
+  return result;
 }
 
-struct Opposites
+void remove_duplicates(Repaired_soup& soup, Halfedge_pairs& pairs)
 {
-  std::vector<Index> opposite; // #halfedges; see orient_triangles()
-  std::size_t number_of_nonmanifold_edges = 0;
-  bool has_equal_halfedges = false; // from the same point to the same point
-};
-
-Opposites find_opposites(std::size_t number_of_points, const std::vector<Index>& corners)
-{
-  Opposites result;
-  result.opposite.assign(corners.size(), none);
-  for_each_edge_of_soup(number_of_points, corners,
-                        [&](const Index* begin, const Index* end)
-                        {
-                          if(end - begin == 2)
-                          {
-                            result.opposite[begin[0]] = begin[1];
-                            result.opposite[begin[1]] = begin[0];
-                            result.has_equal_halfedges |= corners[begin[0]] == corners[begin[1]];
-                          }
-                          else if(end - begin > 2)
-                          {
-                            ++result.number_of_nonmanifold_edges;
-                            result.has_equal_halfedges =
-                                true; // three halfedges have only two directions
-                          }
-                        });
-  return result;
+  if(pairs.number_of_duplicates == 0)
+    return;
+  std::vector<Index> new_triangle(soup.polygon.size());
+  Index number_kept = 0;
+  for(Index f = 0; f < soup.polygon.size(); ++f)
+  {
+    new_triangle[f] = number_kept;
+    if(!pairs.is_duplicate[f])
+      ++number_kept;
+  }
+  for(Index f = 0; f < soup.polygon.size(); ++f)
+  {
+    if(pairs.is_duplicate[f])
+      continue;
+    const Index g = new_triangle[f];
+    soup.polygon[g] = soup.polygon[f];
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index opposite = pairs.opposite[3 * f + k];
+      soup.corners[3 * g + k] = soup.corners[3 * f + k];
+      pairs.opposite[3 * g + k] =
+          opposite == none ? none : 3 * new_triangle[opposite / 3] + opposite % 3;
+    }
+  }
+  soup.polygon.resize(number_kept);
+  soup.corners.resize(3 * std::size_t(number_kept));
+  pairs.opposite.resize(3 * std::size_t(number_kept));
 }
 
 } // namespace
@@ -255,15 +268,11 @@ Repaired_soup repair_soup(const Polygon_soup& soup, const Soup_options& options)
   if(result.corners.size() > max_number_of_halfedges)
     throw Unsupported_surface_error("The polygons have more than 2^31 halfedges.");
 
-  Opposites opposites = find_opposites(n, result.corners);
-  if(opposites.has_equal_halfedges)
-  {
-    remove_duplicate_triangles(result);
-    if(result.report.number_of_duplicate_triangles > 0)
-      opposites = find_opposites(n, result.corners);
-  }
-  result.report.number_of_split_edges = opposites.number_of_nonmanifold_edges;
-  result.twins = orient_triangles(result.corners, std::move(opposites.opposite), result.report);
+  Halfedge_pairs pairs = pair_halfedges(n, result.corners);
+  remove_duplicates(result, pairs);
+  result.report.number_of_duplicate_triangles = pairs.number_of_duplicates;
+  result.report.number_of_split_edges = pairs.number_of_nonmanifold_edges;
+  result.twins = orient_triangles(result.corners, std::move(pairs.opposite), result.report);
   measure_topology(n, result.corners, result.twins, result.report);
   return result;
 }

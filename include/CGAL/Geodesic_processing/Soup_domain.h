@@ -228,8 +228,9 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 /// \throws Unsupported_surface_error if a polygon has more than 10,000 corners, or if the triangles
 ///         have more than 2<SUP>31</SUP> halfedges
 ///
-/// O(n) for n points of bounded degree, and O(k<SUP>2</SUP>) for a polygon of k corners. About as
-/// fast as `make_domain()` for a mesh. The domain takes about 350 bytes per point.
+/// O(n) for n points of bounded degree, and O(k<SUP>2</SUP>) for a polygon of k corners. Takes
+/// about twice the time of `make_domain()` for a mesh, because it also constructs the mesh. The
+/// domain takes about 350 bytes per point.
 template <typename Concurrency_tag = Sequential_tag, typename PointRange, typename PolygonRange,
           typename NamedParameters = internal::Default_parameters,
           std::enable_if_t<!internal::is_named_parameters<PolygonRange>, int> = 0>

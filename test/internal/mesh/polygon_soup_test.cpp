@@ -9,8 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <random>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace polygon_soup_test {
 
@@ -54,6 +58,49 @@ TEST(Repair_soup, removes_degenerate_polygons_and_duplicates)
   EXPECT_EQ(result.report.number_of_triangulated_polygons, 1u); // that with four corners
   EXPECT_EQ(result.polygon, (std::vector<Index>{4, 6, 7}));
   EXPECT_EQ(result.report.number_of_split_edges, 1u); // three triangles have edge 1-2
+}
+
+TEST(Repair_soup, keeps_the_first_of_equal_triangles)
+{
+  // Few points, so that many triangles are equal and edges have many triangles.
+  std::mt19937 random(1);
+  std::uniform_int_distribution<Index> draw(0, 4);
+  std::vector<Vec3> points;
+  for(int i = 0; i < 5; ++i)
+    points.push_back({1. * i, 1. * i * i, 1. * i * i * i});
+  for(int trial = 0; trial < 100; ++trial)
+  {
+    std::vector<std::vector<Index>> polygons;
+    std::set<std::vector<Index>> triangles; // each rotated so that its smallest corner is the first
+    std::map<std::pair<Index, Index>, std::size_t> number_of_triangles; // at each edge
+    std::vector<Index> kept;
+    while(polygons.size() < 30)
+    {
+      std::vector<Index> triangle = {draw(random), draw(random), draw(random)};
+      if(std::set<Index>(triangle.begin(), triangle.end()).size() < 3)
+        continue;
+      polygons.push_back(triangle);
+      std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                  triangle.end());
+      if(!triangles.insert(triangle).second)
+        continue;
+      kept.push_back(static_cast<Index>(polygons.size() - 1));
+      for(std::size_t k = 0; k < 3; ++k)
+        ++number_of_triangles[std::minmax({triangle[k], triangle[(k + 1) % 3]})];
+    }
+    const Repaired_soup result = repair_soup(soup(points, polygons), {});
+    EXPECT_EQ(result.polygon, kept);
+    EXPECT_EQ(result.report.number_of_duplicate_triangles, polygons.size() - kept.size());
+    for(Index h = 0; h < result.corners.size(); ++h)
+    {
+      const auto edge = std::minmax({result.corners[h], result.corners[next_halfedge(h)]});
+      const Index twin = result.twins[h];
+      if(twin == none) // also at some edges of a nonorientable surface
+        continue;
+      EXPECT_EQ(number_of_triangles[edge], 2u);
+      EXPECT_EQ(edge, std::minmax({result.corners[twin], result.corners[next_halfedge(twin)]}));
+    }
+  }
 }
 
 TEST(Repair_soup, triangulates_polygons_in_order)
