@@ -152,6 +152,21 @@ TYPED_TEST(Geodesic_distance_solver, respects_maximum_distance_inside_faces)
   }
 }
 
+TYPED_TEST(Geodesic_distance_solver, keeps_results_if_an_argument_is_invalid)
+{
+  typename TestFixture::Solver solver(this->domain);
+  const std::vector<Mesh_source> sources = {Vertex(3), Vertex(500)};
+  solver.compute(sources);
+  const std::vector<double> distances = this->distances(solver);
+  const std::vector<Mesh_source> invalid = {Vertex(3), Mesh::null_vertex()};
+  EXPECT_THROW(solver.compute(invalid), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.compute(sources, GP::parameters::maximum_distance(-1.)),
+               GP::Invalid_argument_error);
+  EXPECT_EQ(this->distances(solver), distances);
+  EXPECT_EQ(solver.source_label(Vertex(3)), 0u);
+  EXPECT_EQ(solver.source_label(Vertex(500)), 1u);
+}
+
 TYPED_TEST(Geodesic_distance_solver, reports_cancellation)
 {
   using Solver = typename TestFixture::Solver;

@@ -123,7 +123,7 @@ public:
   ///       negative, zero in obstacles}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with faces as keys and `double` values}
   ///     \cgalParamDefault{1 everywhere}
-  ///     \cgalParamExtra{`speed_map` and `face_speed_map` exclude each other.}
+  ///     \cgalParamExtra{A call with both `speed_map` and `face_speed_map` does not compile.}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{relative_tolerance}
   ///     \cgalParamDescription{a fraction, not negative. If it is positive, `Exact` merges similar
@@ -150,14 +150,17 @@ public:
   /// \throws Cancelled if the callback returns false.  Then only vertices or surfels whose
   ///         distances were final are reached.
   ///
+  /// After an `Invalid_argument_error` the results of the last computation remain.
+  ///
   /// Takes O(m log m) time if m vertices or surfels are reached.  `Exact` takes O(m<SUP>1.5</SUP>)
   /// time in practice.  `Heat` takes back substitutions on the whole surface.
   template <typename Sources, typename NamedParameters = internal::Default_parameters>
   void compute(const Sources& sources, const NamedParameters& np = NamedParameters())
   {
     const internal::Front_limits limits = internal::limits(m_domain, np);
-    m_labels.clear();
-    m_sources = internal::sources(m_domain, sources, m_labels);
+    std::vector<std::size_t> labels;
+    m_sources = internal::sources(m_domain, sources, labels);
+    m_labels = std::move(labels);
     if(!m_engine.run(m_sources, limits))
       throw Cancelled();
   }
