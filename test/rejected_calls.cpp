@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace GP = CGAL::Geodesic_processing;
@@ -51,6 +52,8 @@ void call(Mesh& mesh, Cloud& cloud)
   GP::geodesic_distances(mesh, v, of_faces);
   // REASON: An output map is a property map with surfels as keys
   GP::geodesic_distances(cloud, *cloud.begin(), numbers);
+  // REASON: The values of an output map must be constructible from the results
+  GP::geodesic_distances(mesh, v, mesh.add_property_map<Mesh::Vertex_index, std::string>().first);
   // REASON: A tangent vector has two components
   GP::exponential_map(mesh, v, Kernel::Vector_3(1., 0., 0.));
   // REASON: A cloud has no faces
@@ -64,6 +67,8 @@ void call(Mesh& mesh, Cloud& cloud)
   GP::make_domain(cloud, GP::parameters::geom_traits(Kernel()));
   // REASON: A range of surfels requires the named parameter normal_map
   GP::make_domain(points);
+  // REASON: pass the mesh or make_domain(points, polygons) instead
+  GP::geodesic_distances(points, std::vector<std::vector<int>>(), distances);
   // REASON: Exact distances need a mesh
   GP::geodesic_distances<GP::Exact>(cloud, *cloud.begin(), of_surfels);
   // REASON: pass a mesh that receives the reconstructed surface

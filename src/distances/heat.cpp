@@ -180,7 +180,7 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles)
 bool Heat_solver::run(const std::vector<Front_source>& sources, const Front_limits& limits)
 {
   if(limits.slowness)
-    throw Unsupported_surface_error("The heat method does not support speeds; use fast marching.");
+    throw Unsupported_surface_error("The heat method does not support speeds; use the default method.");
   for(const Index vertex : m_reached)
     m_distance[vertex] = infinity;
   m_reached.clear();

@@ -39,6 +39,13 @@ void sample_base_points(const Domain& domain, const NamedParameters& np, std::si
     if(!(sampling.covering_radius() < infinity))
       throw Unsupported_surface_error("The surface is not connected.");
   };
+  const auto check_number = [](std::size_t number)
+  {
+    if(number < 3 || number > max_number_of_base_points)
+      throw Invalid_argument_error("The number of base points is " + std::to_string(number) +
+                                   ", but must be between 3 and " +
+                                   std::to_string(max_number_of_base_points) + ".");
+  };
   if constexpr(has_parameter<NamedParameters, internal_np::base_points_t>)
   {
     std::vector<bool> is_taken(domain.number_of_vertices(), false);
@@ -57,15 +64,10 @@ void sample_base_points(const Domain& domain, const NamedParameters& np, std::si
     Sampling_options options;
     options.number_of_samples = parameter(np, internal_np::number_of_base_points, default_number);
     options.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
-    if(options.number_of_samples <= max_number_of_base_points)
-      sample_farthest_points(sampling, options, [&](double) { check_is_connected(); });
-    else
-      options.number_of_samples = 0;
+    check_number(options.number_of_samples);
+    sample_farthest_points(sampling, options, [&](double) { check_is_connected(); });
   }
-  const std::size_t number = sampling.samples().size();
-  if(number < 3 || number > max_number_of_base_points)
-    throw Invalid_argument_error("The number of base points is not between 3 and " +
-                                 std::to_string(max_number_of_base_points) + ".");
+  check_number(sampling.samples().size());
 }
 
 // Samples base points, computes the map and writes the image of each vertex to `uv_map`; vertices

@@ -119,7 +119,7 @@ Surfel_input read_surfels(const SurfelRange& range, const NamedParameters& np)
   {
     static_assert(has_normals, "A range of surfels requires the named parameter normal_map. "
                                "estimate_surfels() computes normals. If the points are those of a "
-                               "mesh, pass the mesh instead.");
+                               "mesh, pass the mesh or make_domain(points, polygons) instead.");
     using Element = std::decay_t<decltype(*range.begin())>;
     read(parameter(np, CGAL::internal_np::point_map, CGAL::Identity_property_map<Element>()),
          CGAL::parameters::get_parameter(plain(np), CGAL::internal_np::normal_map));
