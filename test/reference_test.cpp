@@ -399,10 +399,9 @@ TEST(Reference, members_outside_of_the_reference_are_ignored)
                            "#ifndef DOXYGEN_RUNNING\n"
                            "  int g();\n"
                            "#endif\n"
-                           "  /// \\name Access for the Kernels\n"
-                           "  /// @{\n"
+                           "  /// \\cond INTERNAL\n"
                            "  int h();\n"
-                           "  /// @}\n"
+                           "  /// \\endcond\n"
                            "private:\n"
                            "  int i();\n";
   EXPECT_EQ(missing_parts_of_members_in("/// A class.\n", text), Names());

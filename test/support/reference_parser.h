@@ -138,16 +138,16 @@ inline void read_members(const std::vector<std::string>& lines, std::size_t& pos
                          bool is_public, Class& result)
 {
   std::string documentation;
-  bool is_in_group = false; // of members that the reference omits
+  bool is_omitted = false; // from the reference
   for(; position < lines.size() && !starts_with(lines[position], "};"); ++position)
   {
     const std::string& line = lines[position];
     if(contains(line, "public:") || contains(line, "private:") || contains(line, "protected:"))
       is_public = contains(line, "public:");
-    if(contains(line, "/// \\name Access for") || contains(line, "/// \\name Conversion between"))
-      is_in_group = true;
-    if(contains(line, "/// @}"))
-      is_in_group = false;
+    if(contains(line, "/// \\cond INTERNAL"))
+      is_omitted = true;
+    if(contains(line, "/// \\endcond"))
+      is_omitted = false;
     if(starts_with(line, "  ///") && !contains(line, "/// @{"))
     {
       documentation += line.substr(2) + '\n';
@@ -164,9 +164,9 @@ inline void read_members(const std::vector<std::string>& lines, std::size_t& pos
             (starts_with(lines[position + 1], "   ") || starts_with(lines[position + 1], "  {") ||
              starts_with(lines[position + 1], "  }")))
         member.body += lines[++position] + '\n';
-      if(is_public && !is_in_group && is_function(member.text))
+      if(is_public && !is_omitted && is_function(member.text))
         result.members.push_back(std::move(member));
-      else if(is_public && !is_in_group && !is_type(member.text))
+      else if(is_public && !is_omitted && !is_type(member.text))
         result.data.push_back(std::move(member));
     }
     documentation.clear();

@@ -195,11 +195,11 @@ public:
   /// \throws Invalid_argument_error as `inverse()`
   Point_3 point(const Base_location& location) const { return m_domain.point(inner(location)); }
 
-  /// \name Access for other functions of this package
-  /// @{
+  /// \cond INTERNAL
+  // Access for other functions of this package.
   const Domain& domain() const { return m_domain; }
   const internal::Base_map& map() const { return *m_map; }
-  /// @}
+  /// \endcond
 
 private:
   void check_face(std::size_t face) const

@@ -88,31 +88,11 @@ public:
   ///         coordinates are negative or do not sum to one
   Point_3 point(const Location& location) const { return point(inner(location)); }
 
-  /// writes a value for each vertex to a property map. O(n).
-  ///
-  /// \tparam Values a function object
-  /// \tparam PropertyMap a model of `WritablePropertyMap` with vertices as keys
-  /// \param values a function that maps an internal index, below `number_of_vertices()`, to a value
-  /// \param map a writable property map of vertices
-  template <typename Values, typename PropertyMap>
-  void write(const Values& values, PropertyMap map) const
-  {
-    static_assert(internal::is_keyed_by<PropertyMap, Vertex>,
-                  "An output map is a property map with vertices as keys. "
-                  "CGAL::make_property_map() makes a map of a vector for vertices that "
-                  "convert to indices.");
-    using Value = typename boost::property_traits<PropertyMap>::value_type;
-    for(internal::Index i = 0; i < number_of_vertices(); ++i)
-      put(map, m_data->vertices[i], static_cast<Value>(values(i)));
-    for(const Vertex v : m_data->merged_vertices)
-      put(map, v, static_cast<Value>(values(index(v))));
-  }
-
   /// returns the mesh, which must not have been destroyed or moved. O(1).
   const TriangleMesh& mesh() const { return *m_mesh; }
 
-  /// \name Conversion between the Mesh and the Kernels
-  /// @{
+  /// \cond INTERNAL
+  // Conversion between the mesh and the kernels.
   const std::shared_ptr<const internal::Surface_arrays>& triangles() const { return m_triangles; }
   internal::Index index(Vertex v) const { return get(m_data->index_of_vertex, v); }
   Vertex vertex(internal::Index index) const { return m_data->vertices[index]; }
@@ -126,7 +106,24 @@ public:
   std::vector<double> slowness(SpeedMap speed) const;
   template <typename FaceSpeedMap>
   std::vector<double> face_slowness(FaceSpeedMap speed) const;
-  /// @}
+  // Writes a value for each vertex to a property map. values maps an internal index to a value.
+  template <typename Values, typename PropertyMap>
+  void write(const Values& values, PropertyMap map) const
+  {
+    static_assert(internal::is_keyed_by<PropertyMap, Vertex>,
+                  "An output map is a property map with vertices as keys. "
+                  "CGAL::make_property_map() makes a map of a vector for vertices that "
+                  "convert to indices.");
+    using Value = typename boost::property_traits<PropertyMap>::value_type;
+    static_assert(std::is_constructible_v<Value, decltype(values(internal::Index()))>,
+                  "The values of an output map must be constructible from the results, for "
+                  "example from double.");
+    for(internal::Index i = 0; i < number_of_vertices(); ++i)
+      put(map, m_data->vertices[i], static_cast<Value>(values(i)));
+    for(const Vertex v : m_data->merged_vertices)
+      put(map, v, static_cast<Value>(values(index(v))));
+  }
+  /// \endcond
 
 protected:
   // For Soup_domain, which defines all members.
@@ -191,6 +188,8 @@ private:
     return internal::slowness_of(std::move(values));
   }
 };
+
+/// \cond INTERNAL
 
 template <typename TriangleMesh>
 template <typename NamedParameters>
@@ -363,6 +362,7 @@ std::vector<double> Mesh_domain<TriangleMesh>::face_slowness(FaceSpeedMap speed)
 {
   return slowness_at(m_data->faces, speed);
 }
+/// \endcond
 
 } // namespace CGAL::Geodesic_processing
 

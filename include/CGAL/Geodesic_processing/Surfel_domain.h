@@ -97,26 +97,8 @@ public:
   /// \throws Invalid_argument_error if the surfel is not in the cloud
   std::array<Vector_3, 2> axes(Vertex surfel) const;
 
-  /// writes a value for each surfel to a property map. O(n).
-  ///
-  /// \tparam Values a function object
-  /// \tparam PropertyMap a model of `WritablePropertyMap` with surfels as keys
-  /// \param values a function that maps an internal index, below `number_of_vertices()`, to a value
-  /// \param map a writable property map of surfels
-  template <typename Values, typename PropertyMap>
-  void write(const Values& values, PropertyMap map) const
-  {
-    static_assert(internal::is_keyed_by<PropertyMap, Vertex>,
-                  "An output map is a property map with surfels as keys. "
-                  "CGAL::make_property_map() makes a map of a vector.");
-    using Value = typename boost::property_traits<PropertyMap>::value_type;
-    for(std::size_t i = 0; i < number_of_vertices(); ++i)
-      put(map, m_data->descriptors[i],
-          static_cast<Value>(values(m_data->surfels.internal_vertex[i])));
-  }
-
-  /// \name Conversion between the Cloud and the Kernels
-  /// @{
+  /// \cond INTERNAL
+  // Conversion between the cloud and the kernels.
   std::shared_ptr<const internal::Surface_arrays> triangles() const
   {
     return {m_data, &m_data->surfels.arrays};
@@ -135,7 +117,22 @@ public:
   Point_3 point(const internal::Surface_location& location) const;
   template <typename SpeedMap>
   std::vector<double> slowness(SpeedMap speed) const;
-  /// @}
+  // Writes a value for each surfel to a property map. values maps an internal index to a value.
+  template <typename Values, typename PropertyMap>
+  void write(const Values& values, PropertyMap map) const
+  {
+    static_assert(internal::is_keyed_by<PropertyMap, Vertex>,
+                  "An output map is a property map with surfels as keys. "
+                  "CGAL::make_property_map() makes a map of a vector.");
+    using Value = typename boost::property_traits<PropertyMap>::value_type;
+    static_assert(std::is_constructible_v<Value, decltype(values(internal::Index()))>,
+                  "The values of an output map must be constructible from the results, for "
+                  "example from double.");
+    for(std::size_t i = 0; i < number_of_vertices(); ++i)
+      put(map, m_data->descriptors[i],
+          static_cast<Value>(values(m_data->surfels.internal_vertex[i])));
+  }
+  /// \endcond
 
 private:
   internal::Tangent_location scaled(const Location& location) const;
@@ -148,6 +145,8 @@ private:
   };
   std::shared_ptr<const Data> m_data;
 };
+
+/// \cond INTERNAL
 
 template <typename SurfelRange>
 template <typename NamedParameters>
@@ -260,6 +259,7 @@ std::vector<double> Surfel_domain<SurfelRange>::slowness(SpeedMap speed) const
   return internal::mean_over_corners(m_data->surfels.arrays,
                                      internal::slowness_of(std::move(values)));
 }
+/// \endcond
 
 } // namespace CGAL::Geodesic_processing
 

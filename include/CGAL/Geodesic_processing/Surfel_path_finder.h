@@ -253,8 +253,8 @@ public:
   template <typename Polyline>
   Surfel_path<SurfelRange> shorten(const Polyline& polyline);
 
-  /// \name Access for the Kernels
-  /// @{
+  /// \cond INTERNAL
+  // Access for the kernels.
   internal::Tangent_location tangent_location(Vertex surfel) const
   {
     m_descriptors->check_descriptor(surfel);
@@ -269,7 +269,7 @@ public:
   }
   Surfel_path<SurfelRange> outer(const internal::Cloud_path& found) const;
   const internal::Cloud_path_finder& kernel() const { return m_finder; }
-  /// @}
+  /// \endcond
 
 private:
   template <typename NamedParameters>
@@ -289,6 +289,8 @@ private:
   std::shared_ptr<const internal::Surfel_descriptors<SurfelRange>> m_descriptors;
   internal::Cloud_path_finder m_finder;
 };
+
+/// \cond INTERNAL
 
 namespace internal {
 
@@ -390,6 +392,7 @@ Surfel_path_finder<SurfelRange>::outer(const internal::Cloud_path& found) const
   }
   return result;
 }
+/// \endcond
 
 } // namespace CGAL::Geodesic_processing
 

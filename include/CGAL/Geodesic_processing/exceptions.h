@@ -12,7 +12,7 @@ namespace CGAL::Geodesic_processing {
 /// @{
 
 /// is thrown if an argument is invalid, for example an empty range of sources, a negative distance
-/// or a coordinate that is not a number.
+/// or a coordinate that is not finite. It is derived from `std::runtime_error`.
 class Invalid_argument_error : public std::runtime_error
 {
 public:
@@ -20,7 +20,8 @@ public:
 };
 
 /// is thrown if a method cannot process a surface. Examples are faces that are not triangles, more
-/// than 2<SUP>31</SUP> halfedges, or a cloud if a manifold is needed.
+/// than 2<SUP>31</SUP> halfedges, or a cloud if a manifold is needed. It is derived from
+/// `std::runtime_error`.
 class Unsupported_surface_error : public std::runtime_error
 {
 public:

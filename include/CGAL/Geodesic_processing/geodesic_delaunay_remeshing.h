@@ -84,7 +84,8 @@ struct Remeshing_result
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{first_samples}
 ///     \cgalParamDescription{a vertex, a location, or a range of these, which become the first
-///       samples}
+///       samples. They are included in `number`, and they are the first vertices of the output, in
+///       this order}
 ///     \cgalParamType{a vertex, a surfel, a location, or a range of these}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

@@ -255,11 +255,11 @@ public:
   }
   /// @}
 
-  /// \name Access for the Kernels
-  /// @{
+  /// \cond INTERNAL
+  // Access for the kernels.
   const std::vector<internal::Index>& reached_indices() const { return m_reached; }
   const std::vector<internal::Vec2>& internal_coordinates() const { return m_coordinates; }
-  /// @}
+  /// \endcond
 
 private:
   static constexpr internal::Vec2 outside = {std::numeric_limits<double>::quiet_NaN(),

@@ -76,8 +76,9 @@ struct Exact
 /// selects the heat method. One linear system determines the direction of the heat flow, and
 /// another one the distance. \cgalCite{cgal:cww-ghnac-13}
 ///
-/// The result is a smooth approximation with errors of 0.4 to 3 percent. A solver precomputes the
-/// factorizations.
+/// The result is a smooth approximation. Its mean error is about 1 percent on fine scans and 7
+/// percent on most public meshes, and its largest error about seven times as large. A solver
+/// precomputes the factorizations.
 struct Heat
 {};
 
