@@ -6,10 +6,9 @@
 # run_commands.  For any file the program must return 0, or 2 and one sentence, within the time
 # limit and without a NaN in the result.
 #
-# The time limit is 15 s if file and result have at most 50,000 vertices, otherwise 60 s.  Sanitizers
-# triple the times: the slowest small file takes 9 to 11 s with them and 3.5 s without.  The limit holds
+# The time limit is 10 s if file and result have at most 50,000 vertices, otherwise 60 s.  It holds
 # for a processor on which this shell counts to 500,000 in 1.4 s, and is longer on a slower one.
-# Commands run side by side, although each uses all processors.  One that needs more than 15 s runs
+# Commands run side by side, although each uses all processors.  One that needs more than 10 s runs
 # again alone.
 set -u
 
@@ -20,8 +19,8 @@ trap 'rm -rf "$folder"' EXIT
 
 count() { for((i = 0; i < 500000; ++i)); do :; done; }
 TIMEFORMAT=%U
-limit=$({ time count; } 2>&1 | awk '{ print int(15 * ($1 > 1.4 ? $1 / 1.4 : 1) + 0.5) }')
-echo "time limits: $limit s and $((4 * limit)) s"
+limit=$({ time count; } 2>&1 | awk '{ print int(10 * ($1 > 1.4 ? $1 / 1.4 : 1) + 0.5) }')
+echo "time limits: $limit s and $((6 * limit)) s"
 
 # Prints the commands with their options, separated by tabs.
 list_commands()
@@ -78,7 +77,7 @@ check()
          sentence="a NaN in the result"
        fi ;;
     2) [ "$(grep -c . "$output.err")" -eq 1 ] || sentence="not one sentence on standard error" ;;
-    142) sentence="no end after $((4 * limit)) s" ;;
+    142) sentence="no end after $((6 * limit)) s" ;;
     *) sentence="exit code $code" ;;
   esac
   [ -n "$sentence" ] || return 0
@@ -102,7 +101,7 @@ check_all()
       printf '%s\t%s%s\t--json\t--quiet\n' "$name" "$file" "$options"
       i=$((i + 1))
     done >"$work/commands"
-    "$run_commands" "$work" $((4 * limit)) <"$work/commands" >"$work/report"
+    "$run_commands" "$work" $((6 * limit)) <"$work/commands" >"$work/report"
     status=$? i=0
     while read -r code seconds; do
       check "$file" "$1" "$code" "$seconds" "$work/$i" || failed=1

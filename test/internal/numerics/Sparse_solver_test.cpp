@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -15,88 +16,103 @@ namespace Sparse_solver_test {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 
-// Returns the lower triangle of a matrix with 2 + shift on the diagonal and -1 on the subdiagonal.
-Sparse_matrix tridiagonal_matrix(int n, double shift)
+// Returns the lower triangle of a matrix with 2 + shift on the diagonal and -1 / width on as many
+// subdiagonals as its width.
+Sparse_matrix band_matrix(int n, int width, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;
   for(int i = 0; i < n; ++i)
   {
     entries.emplace_back(i, i, 2. + shift);
-    if(i > 0)
-      entries.emplace_back(i, i - 1, -1.);
+    for(int j = std::max(0, i - width); j < i; ++j)
+      entries.emplace_back(i, j, -1. / width);
   }
   Sparse_matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 
+constexpr int n = 1000;
+// The factorization proceeds by columns for the first width, and by blocks of columns for the
+// second.
+constexpr int widths[] = {1, 100};
+
 TEST(Sparse_solver, has_small_residual)
 {
-  const int n = 1000;
-  const Sparse_matrix matrix = tridiagonal_matrix(n, 1e-3);
-  const Sparse_solver solver(matrix);
   std::mt19937 random(1);
-  for(int i = 0; i < 5; ++i)
+  for(const int width : widths)
   {
-    Vector rhs(n);
-    for(double& x : rhs)
-      x = double(random()) / double(random.max()) - 0.5;
-    const Vector x = solver.solve(rhs);
-    const Vector residual = matrix.selfadjointView<Eigen::Lower>() * x - rhs;
-    // A backward stable solver leaves a residual of round-off errors of |A| |x|.
-    EXPECT_LT(residual.norm(), 1e-14 * 4. * x.norm());
+    const Sparse_matrix matrix = band_matrix(n, width, 1e-3);
+    const Sparse_solver solver(matrix);
+    for(int i = 0; i < 5; ++i)
+    {
+      Vector rhs(n);
+      for(double& x : rhs)
+        x = double(random()) / double(random.max()) - 0.5;
+      const Vector x = solver.solve(rhs);
+      const Vector residual = matrix.selfadjointView<Eigen::Lower>() * x - rhs;
+      // A backward stable solver leaves a residual of round-off errors of |A| |x|.
+      EXPECT_LT(residual.norm(), 1e-14 * 4. * x.norm());
+    }
   }
 }
 
 TEST(Sparse_solver, column_solves_match_single_solves)
 {
-  const int n = 1000;
-  const Sparse_solver solver(tridiagonal_matrix(n, 1e-3));
   std::srand(1); // the generator that Eigen uses
-  for(const int number_of_columns : {1, 7, 40, 7})
+  for(const int width : widths)
   {
-    const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(n, number_of_columns);
-    Eigen::MatrixXd columns = rhs;
-    solver.solve_columns(columns);
-    for(int j = 0; j < number_of_columns; ++j)
+    const Sparse_solver solver(band_matrix(n, width, 1e-3));
+    for(const int number_of_columns : {1, 7, 40, 7})
     {
-      const Vector x = solver.solve(rhs.col(j));
-      // The sums of some thousand terms are computed in another order.
-      EXPECT_LT((columns.col(j) - x).norm(), 1e-11 * x.norm());
+      const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(n, number_of_columns);
+      Eigen::MatrixXd columns = rhs;
+      solver.solve_columns(columns);
+      for(int j = 0; j < number_of_columns; ++j)
+      {
+        const Vector x = solver.solve(rhs.col(j));
+        // The sums of some thousand terms are computed in another order.
+        EXPECT_LT((columns.col(j) - x).norm(), 1e-11 * x.norm());
+      }
     }
   }
 }
 
 TEST(Sparse_solver, refactorizes_matrix_of_same_pattern)
 {
-  const int n = 1000;
   const Vector rhs = Vector::Ones(n);
-  for(const Elimination_order order : {Elimination_order::fast, Elimination_order::low_fill})
-  {
-    const Sparse_solver original(tridiagonal_matrix(n, 1.), order);
-    Sparse_solver copy = original;
-    EXPECT_FALSE(copy.factorize(tridiagonal_matrix(n, -3.)));
-    EXPECT_TRUE(copy.factorize(tridiagonal_matrix(n, 2.)));
-    EXPECT_EQ(original.solve(rhs), Sparse_solver(tridiagonal_matrix(n, 1.), order).solve(rhs));
-    EXPECT_EQ(copy.solve(rhs), Sparse_solver(tridiagonal_matrix(n, 2.), order).solve(rhs));
-  }
+  for(const int width : widths)
+    for(const Elimination_order order : {Elimination_order::fast, Elimination_order::low_fill})
+    {
+      const Sparse_solver original(band_matrix(n, width, 1.), order);
+      Sparse_solver copy = original;
+      EXPECT_FALSE(copy.factorize(band_matrix(n, width, -3.)));
+      EXPECT_TRUE(copy.factorize(band_matrix(n, width, 2.)));
+      EXPECT_EQ(original.solve(rhs), Sparse_solver(band_matrix(n, width, 1.), order).solve(rhs));
+      EXPECT_EQ(copy.solve(rhs), Sparse_solver(band_matrix(n, width, 2.), order).solve(rhs));
+    }
 }
 
 TEST(Sparse_solver, solves_concurrently)
 {
-  const Sparse_solver solver(tridiagonal_matrix(1000, 1e-3));
-  const Vector rhs = Vector::Ones(1000), expected = solver.solve(rhs);
-  std::vector<Vector> solutions(100);
-  for_each_block(solutions.size(), 1, 4,
-                 [&](std::size_t block, std::size_t, std::size_t)
-                 { solutions[block] = solver.solve(rhs); });
-  for(const Vector& x : solutions)
-    EXPECT_EQ(x, expected);
+  const Vector rhs = Vector::Ones(n);
+  for(const int width : widths)
+  {
+    const Sparse_solver solver(band_matrix(n, width, 1e-3));
+    const Vector expected = solver.solve(rhs);
+    std::vector<Vector> solutions(100);
+    for_each_block(solutions.size(), 1, 4,
+                   [&](std::size_t block, std::size_t, std::size_t)
+                   { solutions[block] = solver.solve(rhs); });
+    for(const Vector& x : solutions)
+      EXPECT_EQ(x, expected);
+  }
 }
 
 TEST(Sparse_solver, throws_on_indefinite_matrix)
 {
-  EXPECT_THROW(Sparse_solver(tridiagonal_matrix(10, -3.)), Unsupported_surface_error);
+  for(const int width : widths)
+    EXPECT_THROW(Sparse_solver(band_matrix(n, width, -3.)), Unsupported_surface_error);
 }
 
 } // namespace Sparse_solver_test
