@@ -65,13 +65,17 @@ std::optional<Textured_mesh> read_textured_mesh(const std::filesystem::path& fil
     else if(word == "f")
     {
       std::array<std::size_t, 3> corners, uv_corners;
-      char slash = 0;
       for(std::size_t k = 0; k < 3; ++k)
       {
-        if(!(words >> corners[k] >> slash >> uv_corners[k]) || slash != '/' || corners[k] == 0 ||
-           corners[k]-- > mesh.points.size() || uv_corners[k] == 0 ||
-           uv_corners[k]-- > mesh.uv.size())
+        words >> word;
+        std::istringstream corner(word); // point/uv or point/uv/normal; the indices begin with 1
+        char slash = 0;
+        if(!words || !(corner >> corners[k] >> slash >> uv_corners[k]) || slash != '/' ||
+           corners[k] < 1 || corners[k] > mesh.points.size() || uv_corners[k] < 1 ||
+           uv_corners[k] > mesh.uv.size())
           return std::nullopt;
+        --corners[k];
+        --uv_corners[k];
       }
       if(words >> word)
         return std::nullopt;

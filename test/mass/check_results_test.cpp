@@ -62,7 +62,7 @@ Files square_results(const std::string& surface)
   files["flatten.off"] = square;
   files["atlas.json"] = R"({"flips": 0, "overlaps": 0, "coverage": 1.0})";
   files["atlas.obj"] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
-                       "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
+                       "f 1/1 2/2 3/3\nf 1/1/1 3/3/1 4/4/1\n";
   files["emd.json"] = R"({"lower": 1.414, "value": 1.4142, "upper": 1.4144,)"
                       R"( "upper_continuous": 1.5, "converged": true})";
   return files;
@@ -217,7 +217,7 @@ const std::vector<Change> changes = {
      "atlas\t1 faces are not counterclockwise, and the JSON has another number"},
     {"atlas.obj", "1/1 2/2 3/3", "1/1 2/3 3/2", "atlas\t1 faces are not counterclockwise"},
     {"atlas.json", "\"overlaps\": 0", "\"overlaps\": 1", "atlas\t1 charts overlap themselves"},
-    {"atlas.obj", "1/1 3/3 4/4", "1/1 3/2 4/4", "atlas\tthe faces 0 and 1 overlap in the texture"},
+    {"atlas.obj", "3/3/1 4/4/1", "3/2/1 4/4/1", "atlas\tthe faces 0 and 1 overlap in the texture"},
 
     {"emd.json", "1.4142", "1.4145",
      "emd\tthe value 1.4145000000000001 is not between 1.4139999999"
