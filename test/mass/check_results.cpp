@@ -22,13 +22,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The round-off errors of a sum of lengths, relative to the sum. A path has up to some thousand
-// segments, and each adds a few units of 2e-16.
+// The round-off errors of lengths, areas and bounds, relative to them. On a hundred meshes, the lengths
+// of shortest paths differ from exact distances by at most 1.3e-14. An exact search may stop 2e-12
+// above its lower bound.
 constexpr double round_off = 1e-9;
 
-// The largest mean relative error of Euclidean_front. On 699 meshes the 99 % quantile is 0.75 %.
-// A mesh of a few long triangles can be worse; a wrong front differs by more.
-constexpr double max_mean_error = 0.1;
+// The largest mean relative error of Euclidean_front. On 699 meshes the 99 % quantile is 0.75 %. On
+// meshes of few long triangles it is larger, so the limit is seven times as much.
+constexpr double max_mean_error = 0.05;
 
 double distance(const Point& p, const Point& q)
 {
