@@ -213,6 +213,9 @@ const std::vector<Change> changes = {
      "atlas\tthe faces have the area 1.5, but the surface has the area 1"},
     {"atlas.json", "1.0", "0.5",
      "atlas\tthe faces cover 1 of the texture, but the JSON has the coverage 0.5"},
+    // Half of the surface covers 1/128 of the texture, the other half 1/2: (1/2 + 1/128) / (2/128).
+    {"atlas.obj", "f 1/1/1 3/3/1 4/4/1", "vt 0 0.875\nvt 0.125 0.875\nvt 0 1\nf 1/5 3/6 4/7",
+     "atlas\tthe area of a chart differs from its scale by the factor 32.5"},
     {"atlas.obj", "1/1 2/2 3/3", "1/1 2/3 3/2",
      "atlas\t1 faces are not counterclockwise, and the JSON has another number"},
     {"atlas.obj", "1/1 2/2 3/3", "1/1 2/3 3/2", "atlas\t1 faces are not counterclockwise"},

@@ -8,6 +8,8 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <iterator>
 #include <vector>
@@ -54,6 +56,20 @@ std::size_t number_of_degenerate_faces(const Soup& soup)
     return p == q || q == r || r == p;
   };
   return std::size_t(std::count_if(soup.polygons.begin(), soup.polygons.end(), is_degenerate));
+}
+
+std::vector<std::size_t> charts(const Textured_mesh& mesh)
+{
+  boost::disjoint_sets_with_storage<> sets(mesh.uv.size());
+  for(const auto& uv : mesh.uv_corners)
+  {
+    sets.union_set(uv[0], uv[1]);
+    sets.union_set(uv[1], uv[2]);
+  }
+  std::vector<std::size_t> result;
+  for(const auto& uv : mesh.uv_corners)
+    result.push_back(sets.find_set(uv[0]));
+  return result;
 }
 
 } // namespace mass_test

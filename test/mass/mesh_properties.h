@@ -5,7 +5,9 @@
 
 #include "Results.h"
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace mass_test {
 
@@ -31,6 +33,9 @@ bool intersects_itself(const Soup& soup);
 
 // Returns the number of triangles with two corners at the same point.
 std::size_t number_of_degenerate_faces(const Soup& soup);
+
+// Returns the chart of each face. Faces with a common texture coordinate are in the same chart.
+std::vector<std::size_t> charts(const Textured_mesh& mesh);
 
 } // namespace mass_test
 
