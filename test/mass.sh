@@ -2,13 +2,13 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# mass.sh FOLDER [RESULTS]: runs twelve commands of the program on every mesh file of a folder, two at
-# a time, and checks the results with check_results.
+# mass.sh FOLDER [RESULTS]: runs twelve commands of the program on every mesh file of a folder, two
+# at a time, and checks the results with check_results.
 #
 # Each run has one thread, 60 s of processor time and 4 GB of memory.  RESULTS (default: build/mass)
-# keeps the exit codes, times, messages, JSON and violated invariants.  A run that has a result is not
+# keeps exit codes, times, messages, JSON and violated invariants.  A run that has a result is not
 # repeated, so the script can be stopped and started again.  At the end it prints tables of the runs
-# and of the refusals (exit code 2), and a list of the failures.  It returns 1 if there is a failure,
+# and of the refusals (exit code 2), and lists of the failures.  It returns 1 if there is a failure,
 # or if a command refuses more than 2 % of the files.  Failures are:
 # - an exit code other than 0 and 2, or a refusal without exactly one sentence,
 # - a run without end, if the mesh has at most 100,000 faces,

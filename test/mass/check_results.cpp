@@ -428,7 +428,7 @@ void check_flatten(Results& results)
                  {inverted, degenerate, flips});
 }
 
-// Returns the images of the faces. The areas of the faces and of their images are those of the JSON,
+// Returns the images of the faces. The areas of the faces and of their images agree with the JSON,
 // and all charts have nearly the same scale.
 std::vector<Triangle_2> check_areas(Results& results, const Textured_mesh& mesh)
 {
@@ -468,8 +468,8 @@ std::vector<Triangle_2> check_areas(Results& results, const Textured_mesh& mesh)
   return triangles;
 }
 
-// The texture coordinates are in the unit square. All faces are counterclockwise, and no two of them
-// overlap, as the certificate in the JSON says.
+// The texture coordinates are in the unit square. All faces are counterclockwise, and their
+// interiors are disjoint, as the JSON certifies.
 void check_atlas(Results& results)
 {
   if(!results.has("atlas") || !results.has("info"))

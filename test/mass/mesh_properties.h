@@ -27,8 +27,8 @@ struct Topology
 // Computes the topology of a polygon soup with CGAL. Returns no value if it is not a polygon mesh.
 std::optional<Topology> topology_of(const Soup& soup);
 
-// Returns whether two faces of a triangle mesh intersect, other than at a common vertex or edge. The
-// soup must be a polygon mesh. The test is exact.
+// Returns whether two faces of a triangle mesh intersect, other than at a common vertex or edge.
+// The soup must be a polygon mesh. The test is exact.
 bool intersects_itself(const Soup& soup);
 
 // Returns the number of triangles with two corners at the same point.

@@ -17,8 +17,8 @@ using Triangle_2 = std::array<Kernel::Point_2, 3>;
 // Returns whether the corners are in clockwise order or collinear.
 bool is_not_ccw(const Triangle_2& triangle);
 
-// Returns the indices of two counterclockwise triangles whose interiors intersect, if there are any.
-// The test is exact.
+// Returns the indices of two counterclockwise triangles whose interiors intersect, if there are
+// any. The test is exact.
 std::optional<std::pair<std::size_t, std::size_t>>
 find_overlap(const std::vector<Triangle_2>& triangles);
 

@@ -1,12 +1,12 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Prints the tables of mass.sh from its results, and returns 1 if the test fails.  Standard input has
-# one line for each file: checksum and path.
+# Prints the tables of mass.sh from its results, and returns 1 if the test fails.  Standard input
+# has one line for each file: checksum and path.
 # Variables: results (the folder), max_faces, max_refused (in percent)
 
-# Returns a sentence without the name of the file, without quoted words and without numbers.  Similar
-# sentences are then equal.
+# Returns a sentence without the name of the file, without quoted words and without numbers.
+# Similar sentences are then equal.
 function reason(sentence, file,    begin)
 {
   sub(/^geodesic: /, "", sentence)
