@@ -27,7 +27,7 @@ release=build/release sanitizer=build/sanitizer
 summary=() failures=0 started=$SECONDS
 
 # The numbers of checks may grow and never fall; a step fails if it finds fewer.
-min_tests=1671 min_sanitized_tests=1683 min_headers=65 min_hostile_runs=2880
+min_tests=1671 min_sanitized_tests=1683 min_headers=65 min_hostile_runs=2880 min_mass_runs=226
 
 # step NAME COMMAND...: runs the command and adds its result and its seconds to the summary.
 step()
@@ -155,6 +155,22 @@ check_hostile_files()
       "number of hostile runs"
 }
 
+# Runs the mass test on twenty small meshes.
+check_many_meshes()
+{
+  rm -rf build/mass build/mass_meshes
+  mkdir build/mass_meshes &&
+    cp "$data"/meshes/{joint_221,pig_468,spool_649,pinion_650,couplingdown_1k8}.off \
+      "$data"/meshes/{bones_26comp_2k,elephant_2k8}.off "$data/meshes/eight_5k.ply" \
+      "$data"/parts/{844,WusonOBJ}.obj "$data/parts/LZ_mt_Link.STL" \
+      "$data"/parts/{fox_ascii,WSG50_110,57_link_2,72214,sphereWithHole}.stl \
+      "$data"/patches/{nefertiti_299,patch_01_735}.off "$data"/patches/{hemisphere_2k,alligator_3k}.ply \
+      build/mass_meshes &&
+    bash test/mass.sh build/mass_meshes | tee build/mass.log &&
+    at_least $min_mass_runs "$(sed -n 's/^# Mass test: \([0-9]*\) runs.*/\1/p' build/mass.log)" \
+      "number of runs"
+}
+
 check_all_models()
 {
   local folder failed=0
@@ -200,6 +216,11 @@ step "format" check_format
 if step "build, manual" build_release; then
   step "tests" run_tests $release $min_tests
   step "installed package" check_installed_package
+  if [ -d "$data/parts" ]; then
+    step "mass test" check_many_meshes
+  else
+    skip "mass test" "there is no $data"
+  fi
 fi
 if [ $quick = 0 ] && step "sanitizer build, headers" build_sanitizer; then
   # To start the threads of OpenBLAS takes half of the time that a small sanitized process takes.

@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The checker of the mass test reports each invariant if it is violated.
+#include "check_results.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace check_results_test {
+
+namespace fs = std::filesystem;
+
+using Files = std::map<std::string, std::string>; // by name
+
+// The correct results for the unit square of two triangles. All values are closed forms.
+Files square_results(const std::string& surface)
+{
+  const std::string square = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  const std::string diagonal = "1.4142135623730951";
+  Files files;
+  files["square.off"] = square;
+  files["file"] = surface + "\n";
+  files["target"] = "2\n";
+  for(const char* const command : {"info", "exact", "front", "path", "sample", "voronoi", "segment",
+                                   "remesh", "semiregular", "flatten", "atlas", "emd"})
+    files["runs"] += std::string(command) + "\t0\t0.1\t0\t\n";
+  files["info.json"] =
+      R"({"kind": "mesh", "repaired": false, "vertices": 4, "faces": 2, "components": 1,)"
+      R"( "boundary_loops": 1, "genus": 0, "manifold": true, "area": 1.0,)"
+      R"( "degenerate_faces": 0})";
+  files["info.txt"] = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  for(const std::string command : {"exact", "front"})
+  {
+    files[command + ".json"] = R"({"unreached": 0})";
+    files[command + ".txt"] = "0\n1\n" + diagonal + "\n1\n";
+  }
+  files["path.json"] = R"({"length": )" + diagonal + R"(, "lower": )" + diagonal + "}";
+  files["path.txt"] = "0 0 0\n0.5 0.5 0\n1 1 0\n";
+  files["sample.json"] = R"({"samples": 3, "covering_radius": 0.5})";
+  files["sample.txt"] = "0 1 2 1 0 0\n0 1 2 0 0 1\n0 2 3 0.5 0 0.5\n";
+  files["voronoi.json"] = R"({"seeds": [0, 2], "unreached": 0})";
+  files["voronoi.txt"] = "0\n0\n1\n1\n";
+  files["segment.json"] = R"({"charts": 2, "energies": [2.0, 1.0]})";
+  files["segment.txt"] = "0\n1\n";
+  for(const std::string command : {"remesh", "semiregular"})
+  {
+    files[command + ".json"] =
+        R"({"vertices_out": 4, "faces_out": 2, "self_intersections": 0, "folds": 0})";
+    files[command + ".off"] = square;
+  }
+  files["flatten.json"] = R"({"flips": 0})";
+  files["flatten.off"] = square;
+  files["atlas.json"] = R"({"flips": 0, "overlaps": 0, "coverage": 1.0})";
+  files["atlas.obj"] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                       "f 1/1 2/2 3/3\nf 1/1/1 3/3/1 4/4/1\n";
+  files["emd.json"] = R"({"lower": 1.414, "value": 1.4142, "upper": 1.4144,)"
+                      R"( "upper_continuous": 1.5, "converged": true})";
+  return files;
+}
+
+class Check_results : public ::testing::Test
+{
+protected:
+  ~Check_results() override { fs::remove_all(m_folder); }
+
+  Files good_results() const { return square_results((m_folder / "square.off").string()); }
+
+  std::vector<std::string> check(const Files& files) const
+  {
+    fs::remove_all(m_folder);
+    fs::create_directories(m_folder);
+    for(const auto& [name, text] : files)
+      std::ofstream(m_folder / name) << text;
+    return mass_test::check_results(m_folder);
+  }
+
+private:
+  const fs::path m_folder =
+      fs::temp_directory_path() / ("check_results_" + std::to_string(getpid()));
+};
+
+TEST_F(Check_results, correct_results_have_no_violation)
+{
+  EXPECT_EQ(check(good_results()), std::vector<std::string>());
+}
+
+TEST_F(Check_results, refusal_with_one_sentence_is_no_violation)
+{
+  Files files = good_results();
+  files["runs"] = "info\t2\t0.1\t1\tgeodesic: square.off: The file is empty.\n";
+  EXPECT_EQ(check(files), std::vector<std::string>());
+}
+
+struct Change
+{
+  std::string file, text, replacement; // the first occurrence of the text is replaced
+  std::string violation;               // one of the lines that follow from the change
+};
+
+// Each invariant, violated once
+const std::vector<Change> changes = {
+    {"runs", "emd\t0\t0.1\t0\t", "emd\t2\t0.1\t2\tNo.",
+     "emd\tthe program does not print exactly one sentence when it returns 2"},
+    {"runs", "emd\t0\t0.1\t0\t", "emd\t2\t0.1\t1\tno",
+     "emd\tthe program does not print exactly one sentence when it returns 2"},
+    {"emd.json", "}", "", "emd\tstandard output is not a JSON object"},
+    {"emd.json", "1.4142", "null", "emd\tthe number \"value\" is not finite"},
+    {"emd.json", "lower", "low", "emd\tthe JSON object has no number \"lower\""},
+
+    {"info.json", "\"vertices\": 4", "\"vertices\": 5",
+     "info\tthe number of vertices differs from the number of points"},
+    {"info.json", "\"faces\": 2", "\"faces\": 3",
+     "info\tthe surface has 3 faces, and CGAL reads 2"},
+    {"info.json", "true", "false", "info\tthe surface is not a manifold, but it is for CGAL"},
+    {"square.off", "3 0 1 2", "3 0 2 1", "info\tthe surface is a manifold, but not for CGAL"},
+    {"info.json", "\"genus\": 0", "\"genus\": 1",
+     "info\tthe surface has 1 components, 1 boundary cycles and genus 1, and CGAL computes 1, 1 "
+     "and 0"},
+
+    {"exact.txt", "0\n1", "0\nnan", "exact\tline 2 of the values has a number that is not finite"},
+    {"exact.txt", "0\n1", "0\n1 1", "exact\tline 2 of the values does not have 1 numbers"},
+    {"exact.txt", "0\n1", "0\none", "exact\tline 2 of the values does not have 1 numbers"},
+    {"exact.txt", "0\n1\n", "0\n",
+     "exact\tthe number of distances differs from the number of vertices"},
+    {"exact.txt", "0", "0.5", "exact\tthe distance of the source is 0.5"},
+    {"exact.txt", "0\n1", "0\n-1", "exact\tthe distance of vertex 1 is negative"},
+    {"exact.json", "0", "1", "exact\t0 vertices are unreached, and the JSON has another number"},
+    {"exact.txt", "1.4142135623730951", "1.375",
+     "exact\tthe distance of vertex 2 is 1.375, but its straight distance is 1.4142135623730951"},
+    {"exact.txt", "1.4142135623730951", "1.5",
+     "exact\tthe distance of vertex 2 is 1.5, but a path along edges has the length "
+     "1.4142135623730951"},
+
+    {"front.txt", "0\n1", "0\ninf",
+     "front\tthe distance of vertex 1 is inf, but the exact distance is 1"},
+    // The errors of three vertices are 0, 0 and 75 %.
+    {"front.txt", "0\n1", "0\n1.75", "front\tthe mean relative error is 0.25"},
+
+    {"path.json", "\"length\": 1.4142135623730951", "\"length\": 1.5",
+     "path\tthe length is 1.5, but its lower bound is 1.4142135623730951"},
+    {"path.json", "\"length\": 1.4142135623730951", "\"length\": 1.5",
+     "path\tthe length is 1.5, but the exact distance is 1.4142135623730951"},
+    {"path.json", "\"length\": 1.4142135623730951", "\"length\": 1.5",
+     "path\tthe length is 1.5, but the segments have the length 1.4142135623730951"},
+    {"path.json", "\"length\": 1.4142135623730951", "\"length\": 1.25",
+     "path\tthe length is 1.25, but the straight distance is 1.4142135623730951"},
+    {"path.txt", "1 1 0", "1 0 0", "path\tthe path does not join vertex 0 and vertex 2"},
+    {"path.txt", "0.5 0.5", "0.5 inf",
+     "path\tline 2 of the values has a number that is not finite"},
+
+    {"sample.txt", "0 1 2 1 0 0", "0 1 4 1 0 0", "sample\tsample 0 is not on the surface"},
+    {"sample.txt", "0.5 0 0.5", "1.5 0 -0.5", "sample\tsample 2 is not on the surface"},
+    {"sample.txt", "0.5 0 0.5", "0.5 0 0.25",
+     "sample\tthe barycentric coordinates of sample 2 have the sum 0.75"},
+    {"sample.txt", "0 2 3 0.5 0 0.5", "0 2 3 1 0 0", "sample\ttwo samples are equal"},
+    {"sample.json", "3", "4", "sample\tthe JSON has another number of samples than the values"},
+    {"sample.json", "0.5", "null",
+     "sample\tthe covering radius is infinite, but there are 3 samples on 1 components"},
+    {"sample.json", "0.5", "-0.5", "sample\tthe covering radius is negative"},
+
+    {"voronoi.txt", "0\n0", "0",
+     "voronoi\tthe number of labels differs from the number of vertices"},
+    {"voronoi.txt", "0\n0", "0\n2", "voronoi\tthe label of vertex 1 is 2"},
+    {"voronoi.txt", "0\n0", "0\n-1",
+     "voronoi\t1 vertices have no label, and the JSON has another number"},
+    {"voronoi.txt", "0\n0", "0\n-1",
+     "voronoi\t1 vertices have no label, but there are 2 seeds on 1 components"},
+    {"voronoi.txt", "0\n0", "1\n0", "voronoi\tthe seed at vertex 0 has the label 1"},
+
+    {"segment.txt", "1", "2", "segment\tthe label of a face is 2"},
+    {"segment.json", "1.0", "2.5", "segment\tstep 1 increases the energy from 2 to 2.5"},
+
+    {"remesh.off", "OFF", "", "remesh\tCGAL cannot read the mesh"},
+    {"remesh.off", "1 1 0", "nan 1 0", "remesh\tCGAL cannot read the mesh"},
+    {"remesh.json", "4", "5",
+     "remesh\tthe mesh has 4 vertices and 2 faces, and the JSON has other numbers"},
+    {"remesh.off", "3 0 1 2", "3 0 2 1", "remesh\tthe mesh is not a manifold"},
+    {"remesh.off", "1 0 0", "1 1 0", "remesh\t1 faces have two corners at the same point"},
+    // The two triangles cross.
+    {"remesh.off", "4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3",
+     "6 2 0\n0 0 0\n2 0 0\n0 2 0\n0.5 0.5 -1\n0.5 0.5 1\n2 2 0\n3 0 1 2\n3 3 4 5",
+     "remesh\tthe mesh intersects itself, but not according to the JSON"},
+    // A single triangle and a point
+    {"semiregular.off", "3 0 1 2", "3 0 2 3", "semiregular\tthe mesh is not a manifold"},
+    {"semiregular.off", "4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3",
+     "4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n3 0 3 1\n3 1 3 2",
+     "semiregular\tthe mesh has 1 components, 0 boundary cycles and genus 0, and the input 1, 1 "
+     "and 0"},
+
+    {"semiregular.json", "\"folds\": 0", "\"folds\": 1", "semiregular\t1 triangles are inverted"},
+
+    {"flatten.off", "OFF", "", "flatten\tthe flat mesh does not have one point for each vertex"},
+    {"flatten.off", "1 0 0", "0 2 0",
+     "flatten\t1 faces are inverted and 0 are degenerate, but the JSON has 0 flips"},
+    {"flatten.json", "0", "1",
+     "flatten\t0 faces are inverted and 0 are degenerate, but the JSON has 1 flips"},
+
+    {"atlas.obj", "1/1 2/2 3/3", "1 2 3",
+     "atlas\tthe OBJ file has no triangles with texture coordinates"},
+    {"atlas.obj", "vt 1 0", "vt 1.5 0",
+     "atlas\tthe texture coordinates 1.5 0 are not in the unit square"},
+    {"atlas.obj", "v 1 0 0", "v 2 0 0",
+     "atlas\tthe faces have the area 1.5, but the surface has the area 1"},
+    {"atlas.json", "1.0", "0.5",
+     "atlas\tthe faces cover 1 of the texture, but the JSON has the coverage 0.5"},
+    // Half of the surface covers 1/128 of the texture, the other half 1/2: (1/2 + 1/128) / (2/128).
+    {"atlas.obj", "f 1/1/1 3/3/1 4/4/1", "vt 0 0.875\nvt 0.125 0.875\nvt 0 1\nf 1/5 3/6 4/7",
+     "atlas\tthe area of a chart differs from its scale by the factor 32.5"},
+    {"atlas.obj", "1/1 2/2 3/3", "1/1 2/3 3/2",
+     "atlas\t1 faces are not counterclockwise, and the JSON has another number"},
+    {"atlas.obj", "1/1 2/2 3/3", "1/1 2/3 3/2", "atlas\t1 faces are not counterclockwise"},
+    {"atlas.json", "\"overlaps\": 0", "\"overlaps\": 1", "atlas\t1 charts overlap themselves"},
+    {"atlas.obj", "3/3/1 4/4/1", "3/2/1 4/4/1", "atlas\tthe faces 0 and 1 overlap in the texture"},
+
+    {"emd.json", "1.4142", "1.4145",
+     "emd\tthe value 1.4145000000000001 is not between 1.4139999999"
+     "999999 and 1.4144000000000001"},
+    {"emd.json", "true", "false",
+     "emd\tthe method does not converge: the bounds are 1.4139999999999999 and 1.4144000000000001"},
+    {"emd.json", "1.4144", "1.5",
+     "emd\tthe gap between 1.4139999999999999 and 1.5 exceeds the "
+     "tolerance"},
+    {"emd.json", "1.414,", "1.4375,",
+     "emd\tthe lower bound 1.4375 exceeds the exact distance 1.4142135623730951"},
+    {"emd.json", "\"upper_continuous\": 1.5", "\"upper_continuous\": 1.25",
+     "emd\tthe upper bound on the surface 1.25 is below the exact distance 1.4142135623730951"},
+};
+
+TEST_F(Check_results, each_violated_invariant_is_reported)
+{
+  for(const Change& change : changes)
+  {
+    SCOPED_TRACE(change.violation);
+    Files files = good_results();
+    std::string& text = files[change.file];
+    const std::size_t position = text.find(change.text);
+    ASSERT_NE(position, std::string::npos);
+    text.replace(position, change.text.size(), change.replacement);
+    const std::vector<std::string> violations = check(files);
+    EXPECT_NE(std::find(violations.begin(), violations.end(), change.violation), violations.end())
+        << "reported: "
+        << std::accumulate(violations.begin(), violations.end(), std::string(),
+                           [](std::string all, const std::string& line)
+                           { return all + '\n' + line; });
+  }
+}
+
+// A large triangle contains a small one: no edge of one crosses an edge of the other.
+TEST_F(Check_results, face_inside_of_another_face_is_an_overlap)
+{
+  Files files = good_results();
+  files["atlas.obj"] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                       "vt 0.25 0.25\nvt 0.5 0.25\nvt 0.25 0.5\nf 1/1 2/2 3/3\nf 1/4 3/5 4/6\n";
+  files["atlas.json"] = R"({"flips": 0, "overlaps": 0, "coverage": 0.53125})";
+  EXPECT_EQ(check(files),
+            std::vector<std::string>{"atlas\tthe faces 0 and 1 overlap in the texture"});
+}
+
+} // namespace check_results_test
