@@ -171,6 +171,15 @@ check_many_meshes()
       "number of runs"
 }
 
+# Compares the results of gcc and clang, and those of one thread and five.
+check_equal_results()
+{
+  # Not the commands on generated models, which these builds do not have.
+  local only='^0 ([^m]|m[^o])*data/(patches/mushroom|points/oni|meshes/(pig|elephant))([^m]|m[^o])*$'
+  bash test/behavior/compare.sh --only "$only" $sanitizer $release "$data" &&
+    bash test/behavior/compare.sh --only "$only" --threads 1,5 $release $release "$data"
+}
+
 check_all_models()
 {
   local folder failed=0
@@ -228,6 +237,7 @@ if [ $quick = 0 ] && step "sanitizer build, headers" build_sanitizer; then
   step "tests, sanitized" run_tests $sanitizer $min_sanitized_tests
   if [ -d "$data/hostile" ]; then
     step "hostile files, sanitized" check_hostile_files "$data"/hostile/*
+    step "equal results" check_equal_results
   else
     skip "hostile files, sanitized" "there is no $data"
   fi

@@ -5,12 +5,14 @@
 # compare.sh [OPTIONS] BEFORE_BUILD AFTER_BUILD [DATA]
 # Runs the same commands of the program, and the same library calls, with two builds and compares
 # their results. Run it before and after a change that must not alter any result.
-#   BEFORE_BUILD, AFTER_BUILD   build folders with demos (-DGEODESIC_PROCESSING_DEMOS=ON), the same
-#                               build type and the same compiler; both must be on this machine
+#   BEFORE_BUILD, AFTER_BUILD   build folders on this machine.  Commands on generated models need
+#                               the demos of the first one (-DGEODESIC_PROCESSING_DEMOS=ON).
+#                               Library calls need builds of the same type and compiler
 #   DATA                        folder with real models (default: shared/data next to the
 #                               repository); without it, the commands on real models are skipped
 #   --no-messages   ignore the words of standard error, of help texts and of readable results
 #   --only REGEX    only commands that match
+#   --threads N,M   N threads before and M after, for commands that state no number
 #   --keep FOLDER   keep the outputs of all commands in this folder
 # Exit codes, standard output, standard error and all written files must be equal. The times in
 # JSON ("seconds") are ignored. Numbers are compared by value, in shortest round-trip form.
@@ -25,13 +27,14 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 started=$SECONDS
 
 fail() { echo "compare.sh: $*" >&2; exit 2; }
-usage() { sed -n '5,22s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+usage() { sed -n '5,24s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 
-with_messages=1 only=. keep=
+with_messages=1 only=. keep= threads=
 while [[ ${1-} == -* ]]; do
   case $1 in
     --no-messages) with_messages=0 ;;
     --only) only=${2-} && shift ;;
+    --threads) threads=${2-} && shift ;;
     --keep) keep=${2-} && shift ;;
     *) usage ;;
   esac
@@ -43,9 +46,6 @@ before=$(realpath -e "$1") && after=$(realpath -e "$2") || exit 2
 data=$(realpath -m "${3:-$here/../../../shared/data}")
 for build in "$before" "$after"; do
   [ -x "$build/geodesic" ] || fail "$build has no program geodesic."
-done
-for demo in make_models make_test_image; do
-  [ -x "$before/demo/$demo" ] || fail "$before has no $demo; build it with demos."
 done
 
 if [ -n "$keep" ]; then
@@ -677,12 +677,12 @@ PYTHON
 
 # ------------------------------------------------------------------------------------------- runs
 
-# run BUILD FOLDER CODE ARGUMENTS...: runs a command in a folder of its own, in which models and data
-# have the same names for each build.
+# run BUILD FOLDER THREADS CODE ARGUMENTS...: runs a command in a folder of its own, in which models
+# and data have the same names for each build.
 run()
 {
-  local build=$1 folder=$2 code=$3
-  shift 3
+  local build=$1 folder=$2 threads=$3 code=$4
+  shift 4
   mkdir -p "$folder"
   ln -s "$models" "$folder/models"
   ln -s "$data" "$folder/data"
@@ -701,6 +701,7 @@ run()
           *) set -- "$@" -o out.ply ;;
         esac
         set -- "$@" --values values.txt --json
+        case $threads$* in *--threads* | [!0-9]*) ;; *) set -- "$@" --threads "$threads" ;; esac
       fi
       timeout -k 5 100 "$build/geodesic" "$@" >stdout 2>stderr </dev/null
     fi
@@ -714,8 +715,8 @@ run_both()
 {
   local number=$1 code=$2 report=$work/report/$1 begin=$EPOCHREALTIME end status
   shift 2
-  run "$before" "$work/before/$number" "$code" "$@"
-  run "$after" "$work/after/$number" "$code" "$@"
+  run "$before" "$work/before/$number" "${threads%,*}" "$code" "$@"
+  run "$after" "$work/after/$number" "${threads#*,}" "$code" "$@"
   end=$EPOCHREALTIME
   echo "$(((${end/./} - ${begin/./}) / 1000)) ms  $*" >"$report.time"
   {
@@ -731,20 +732,8 @@ run_both()
   [ -n "$keep" ] || rm -rf "$work/before/$number"* "$work/after/$number"*
 }
 
-export before after data work models here with_messages keep
+export before after data work models here with_messages keep threads
 export -f run run_both library_calls cached
-
-echo "Generating models"
-generate_models()
-{
-  cd "$models" && "$before/demo/make_models" . && "$before/demo/make_test_image" rings.png &&
-    python3 "$work/models.py" &&
-    "$before/geodesic" semiregular ring.off --number 30 --levels 4 --quiet -o levels.ply &&
-    "$before/geodesic" wavelet levels.ply --bits 4 --quiet -o levels.gpw &&
-    "$before/geodesic" info painted.ply --quiet -o painted.vtp && mkdir folder.ply
-}
-(generate_models) >"$work/models.log" 2>&1 ||
-  fail "the models cannot be generated: $(<"$work/models.log")"
 
 echo "Running commands with OPENBLAS_CORETYPE=${OPENBLAS_CORETYPE-} OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS-} OMP_NUM_THREADS=${OMP_NUM_THREADS-}"
 number=0 skipped=0 list=()
@@ -758,6 +747,23 @@ while read -r line; do
   list+=("$(printf '%03d' $number) $line")
 done < <(commands)
 [ $number -gt 0 ] || fail "no command matches."
+
+generate_models()
+{
+  cd "$models" && "$before/demo/make_models" . && "$before/demo/make_test_image" rings.png &&
+    python3 "$work/models.py" &&
+    "$before/geodesic" semiregular ring.off --number 30 --levels 4 --quiet -o levels.ply &&
+    "$before/geodesic" wavelet levels.ply --bits 4 --quiet -o levels.gpw &&
+    "$before/geodesic" info painted.ply --quiet -o painted.vtp && mkdir folder.ply
+}
+if [[ ${list[*]} == *models/* ]]; then
+  for demo in make_models make_test_image; do
+    [ -x "$before/demo/$demo" ] || fail "$before has no $demo; build it with demos."
+  done
+  echo "Generating models"
+  (generate_models) >"$work/models.log" 2>&1 ||
+    fail "the models cannot be generated: $(<"$work/models.log")"
+fi
 
 # shellcheck disable=SC2016,SC2086 # the inner shell splits the line into arguments
 printf '%s\0' "${list[@]}" |
