@@ -32,8 +32,10 @@ constexpr std::size_t number_of_base_points = 24, number_of_neighbors = 8;
 // Up to this number of vertices, Tutte's map is a good enough initial map.
 constexpr std::size_t max_vertices_for_tutte = 100;
 
-// Mean energy above which a chart is split: that of a map that scales all lengths by 2 or 1/2.
-constexpr double max_mean_energy = 8.5;
+// Mean energies above which a chart is split: those of maps that scale all lengths by 2 or 1/2, and by
+// 7 or 1/7.  The latter is for charts of few vertices, whose splits are visible.  Almost closed charts
+// have no better map.
+constexpr double max_mean_energy = 8.5, max_mean_energy_of_few = 100.;
 
 void sort_unique(std::vector<Index>& values)
 {
@@ -136,7 +138,8 @@ std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
                                           options.energy_tolerance)
                  .energy;
   const bool is_too_distorted =
-      energy > max_mean_energy && surface.number_of_vertices() > max_vertices_for_tutte;
+      energy > (surface.number_of_vertices() > max_vertices_for_tutte ? max_mean_energy
+                                                                      : max_mean_energy_of_few);
   if(!is_too_distorted)
   {
     if(is_injective(chart))
