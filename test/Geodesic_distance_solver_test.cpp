@@ -167,6 +167,28 @@ TYPED_TEST(Geodesic_distance_solver, keeps_results_if_an_argument_is_invalid)
   EXPECT_EQ(solver.source_label(Vertex(500)), 1u);
 }
 
+// The second source of the last result is beyond the sources of the query that is not supported.
+TYPED_TEST(Geodesic_distance_solver, keeps_results_if_query_is_not_supported)
+{
+  typename TestFixture::Solver solver(this->domain);
+  const std::vector<Mesh_source> sources = {Vertex(3), Vertex(500)};
+  solver.compute(sources);
+  const std::vector<double> distances = this->distances(solver);
+  std::vector<double> speeds(distances.size(), 1.);
+  speeds[0] = 2.;
+  try
+  {
+    solver.compute(Vertex(7), GP::parameters::relative_tolerance(0.1).speed_map(
+                                  CGAL::make_property_map(speeds)));
+    FAIL() << "No method admits both a tolerance and speeds.";
+  }
+  catch(const GP::Unsupported_surface_error&)
+  {}
+  EXPECT_EQ(this->distances(solver), distances);
+  EXPECT_EQ(solver.source_label(Vertex(500)), 1u);
+  EXPECT_EQ(solver.path(Vertex(500)).locations.size(), 1u);
+}
+
 TYPED_TEST(Geodesic_distance_solver, reports_cancellation)
 {
   using Solver = typename TestFixture::Solver;

@@ -42,15 +42,19 @@ Distance_engine::Distance_engine(Distance_method method,
 
 void Distance_engine::select(const Front_limits& limits)
 {
+  bool is_exact = windows() != nullptr;
   if(m_method == Distance_method::automatic && !m_triangles->is_cloud())
-  {
-    const bool is_exact = !limits.slowness || uniform_slowness(*limits.slowness);
-    if(is_exact != std::holds_alternative<Window_propagation>(m_kernel))
-      m_kernel = make_kernel(is_exact ? Distance_method::exact : Distance_method::euclidean_front,
-                             m_triangles);
-  }
-  if(limits.relative_tolerance > 0. && !windows())
+    is_exact = !limits.slowness || uniform_slowness(*limits.slowness);
+  // All exceptions are thrown before the kernel changes, so that the last result remains.
+  if(limits.relative_tolerance > 0. && !is_exact)
     throw Unsupported_surface_error("A relative tolerance requires the method Exact.");
+  if(is_exact)
+    Window_propagation::check_speeds(limits);
+  else if(std::holds_alternative<Heat_solver>(m_kernel))
+    Heat_solver::check_speeds(limits);
+  if(is_exact != (windows() != nullptr))
+    m_kernel = make_kernel(is_exact ? Distance_method::exact : Distance_method::euclidean_front,
+                           m_triangles);
 }
 
 bool Distance_engine::run(const std::vector<Front_source>& sources, const Front_limits& limits)

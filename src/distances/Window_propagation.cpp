@@ -20,8 +20,15 @@ Window_propagation::Window_propagation(std::shared_ptr<const Surface_arrays> tri
       m_state(m_triangles, find_pseudo_sources(*m_triangles))
 {}
 
+void Window_propagation::check_speeds(const Front_limits& limits)
+{
+  if(limits.slowness && !uniform_slowness(*limits.slowness))
+    throw Unsupported_surface_error("The method Exact admits one speed and obstacles only.");
+}
+
 bool Window_propagation::run(const std::vector<Front_source>& sources, const Front_limits& limits)
 {
+  check_speeds(limits);
   set_obstacles(limits.slowness.get());
   std::vector<Surface_location> targets;
   for(const Surface_location& target : limits.targets)
@@ -77,13 +84,10 @@ void Window_propagation::set_obstacles(const std::vector<double>* slowness)
 {
   if(slowness ? *slowness == m_slowness_map : m_slowness_map.empty())
     return;
-  const std::optional<double> uniform = slowness ? uniform_slowness(*slowness) : 1.;
-  if(!uniform)
-    throw Unsupported_surface_error("The method Exact admits one speed and obstacles only.");
   const auto triangles = slowness ? without_obstacles(*m_triangles, *slowness) : m_triangles;
   m_state = Window_state(triangles, find_pseudo_sources(*triangles));
   m_reverse_search.search.reset();
-  m_slowness = *uniform;
+  m_slowness = slowness ? *uniform_slowness(*slowness) : 1.;
   m_slowness_map = slowness ? *slowness : std::vector<double>();
 }
 

@@ -177,10 +177,16 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles)
   m_systems = std::move(systems);
 }
 
-bool Heat_solver::run(const std::vector<Front_source>& sources, const Front_limits& limits)
+void Heat_solver::check_speeds(const Front_limits& limits)
 {
   if(limits.slowness)
-    throw Unsupported_surface_error("The heat method does not support speeds; use the default method.");
+    throw Unsupported_surface_error(
+        "The heat method does not support speeds; use the default method.");
+}
+
+bool Heat_solver::run(const std::vector<Front_source>& sources, const Front_limits& limits)
+{
+  check_speeds(limits);
   for(const Index vertex : m_reached)
     m_distance[vertex] = infinity;
   m_reached.clear();

@@ -150,7 +150,8 @@ public:
   /// \throws Cancelled if the callback returns false.  Then only vertices or surfels whose
   ///         distances were final are reached.
   ///
-  /// After an `Invalid_argument_error` the results of the last computation remain.
+  /// After an `Invalid_argument_error` or an `Unsupported_surface_error` the results of the last
+  /// computation remain, unless the limit of windows was exceeded. Then nothing is reached.
   ///
   /// Takes O(m log m) time if m vertices or surfels are reached.  `Exact` takes O(m<SUP>1.5</SUP>)
   /// time in practice.  `Heat` takes back substitutions on the whole surface.
@@ -159,7 +160,11 @@ public:
   {
     const internal::Front_limits limits = internal::limits(m_domain, np);
     std::vector<std::size_t> labels;
-    m_sources = internal::sources(m_domain, sources, labels);
+    std::vector<internal::Front_source> front_sources =
+        internal::sources(m_domain, sources, labels);
+    // If this throws an exception, the last result remains, which needs the last sources.
+    m_engine.select(limits);
+    m_sources = std::move(front_sources);
     m_labels = std::move(labels);
     if(!m_engine.run(m_sources, limits))
       throw Cancelled();

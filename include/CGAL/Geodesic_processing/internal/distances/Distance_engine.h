@@ -82,7 +82,8 @@ public:
   Distance_engine(Distance_method method, std::shared_ptr<const Surface_arrays> triangles);
 
   // Selects the kernel that admits the speeds, if the method is automatic.  run() calls it.  Throws
-  // Unsupported_surface_error if there is a relative tolerance and the kernel is not exact.
+  // Unsupported_surface_error if there is a relative tolerance and the kernel is not exact, or if
+  // the kernel does not admit the speeds.  Then the last result remains.
   void select(const Front_limits& limits);
   // As those of Front.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});

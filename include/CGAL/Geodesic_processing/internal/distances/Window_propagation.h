@@ -70,8 +70,11 @@ public:
   // Throws Unsupported_surface_error if the arrays are a cloud.
   explicit Window_propagation(std::shared_ptr<const Surface_arrays> triangles);
 
-  // As Front::run(); known_distance is ignored.  Throws Unsupported_surface_error if the slowness
-  // differs outside of obstacles, or if the query exceeds Window_propagator::usual_max_work().
+  // Throws Unsupported_surface_error if the slowness differs outside of obstacles.
+  static void check_speeds(const Front_limits& limits);
+
+  // As Front::run(); known_distance is ignored.  Throws as check_speeds(), and
+  // Unsupported_surface_error if the query exceeds Window_propagator::usual_max_work().
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
   // The results of the last query, in the unit of the arrays, as those of a Front.

@@ -24,9 +24,12 @@ public:
   // Computes two sparse factorizations, of the heat and of the Poisson system.
   explicit Heat_solver(std::shared_ptr<const Surface_arrays> triangles);
 
+  // Throws Unsupported_surface_error if the limits have a slowness.
+  static void check_speeds(const Front_limits& limits);
+
   // As Front::run().  Solves two linear systems by their factorizations.  Sources, predecessors and
   // the reached vertices are those of Dijkstra's algorithm.  Targets and known distances are
-  // ignored.  Throws Unsupported_surface_error if the limits have a slowness.
+  // ignored.  Throws as check_speeds().
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
   // Returns the distance of a vertex, or interpolates linearly in a triangle.  Infinite if not
