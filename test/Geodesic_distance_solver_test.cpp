@@ -167,6 +167,33 @@ TYPED_TEST(Geodesic_distance_solver, keeps_results_if_an_argument_is_invalid)
   EXPECT_EQ(solver.source_label(Vertex(500)), 1u);
 }
 
+TYPED_TEST(Geodesic_distance_solver, has_no_label_beyond_maximum_distance)
+{
+  typename TestFixture::Solver solver(this->domain);
+  solver.compute(Vertex(3), GP::parameters::maximum_distance(0.5));
+  std::size_t number_of_unreached = 0;
+  for(const Vertex v : this->mesh.vertices())
+    if(std::isinf(solver.distance(v)))
+    {
+      ++number_of_unreached;
+      EXPECT_EQ(solver.source_label(v), (std::numeric_limits<std::size_t>::max)());
+      EXPECT_EQ(solver.predecessor(v), v);
+    }
+  EXPECT_GT(number_of_unreached, 0u);
+}
+
+// The label of the last result is beyond the sources of the interrupted query.
+TYPED_TEST(Geodesic_distance_solver, can_be_read_after_exception_of_callback)
+{
+  typename TestFixture::Solver solver(this->domain);
+  solver.compute(std::vector<Mesh_source>{Vertex(3), Vertex(500)});
+  const auto throw_exception = [](double) -> bool { throw std::logic_error("interrupted"); };
+  EXPECT_THROW(solver.compute(Vertex(3), GP::parameters::callback(throw_exception)),
+               std::logic_error);
+  for(const Vertex v : this->mesh.vertices())
+    EXPECT_NE(solver.source_label(v), 1u);
+}
+
 // The second source of the last result is beyond the sources of the query that is not supported.
 TYPED_TEST(Geodesic_distance_solver, keeps_results_if_query_is_not_supported)
 {

@@ -190,13 +190,12 @@ bool Heat_solver::run(const std::vector<Front_source>& sources, const Front_limi
   for(const Index vertex : m_reached)
     m_distance[vertex] = infinity;
   m_reached.clear();
+  // Its last sources must not remain if the callback returns false or throws an exception.
+  m_dijkstra.run({});
   const auto is_cancelled = [&](double fraction)
   { return limits.callback && !limits.callback(fraction); };
   if(is_cancelled(0.))
-  {
-    m_dijkstra.run({});
     return false;
-  }
   m_dijkstra.run(sources);
 
   const Systems& s = *m_systems;

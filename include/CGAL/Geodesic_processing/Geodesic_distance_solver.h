@@ -385,15 +385,23 @@ private:
     throw Unsupported_surface_error("This query requires the method Exact.");
   }
   double scale() const { return m_domain.triangles()->scale; }
+  // The sources and predecessors of Heat are those of Dijkstra's algorithm, which also reaches
+  // vertices beyond the maximum distance.
+  bool is_reached(internal::Index index) const
+  {
+    return m_engine.distance(index) < internal::infinity;
+  }
   std::size_t label(internal::Index index) const
   {
     const internal::Index source = m_engine.source(index);
-    return source == internal::none ? (std::numeric_limits<std::size_t>::max)() : m_labels[source];
+    return is_reached(index) && source != internal::none
+               ? m_labels[source]
+               : (std::numeric_limits<std::size_t>::max)();
   }
   internal::Index predecessor_index(internal::Index index) const
   {
     const internal::Index predecessor = m_engine.predecessor(index);
-    return predecessor == internal::none ? index : predecessor;
+    return is_reached(index) && predecessor != internal::none ? predecessor : index;
   }
 
   Domain m_domain;
