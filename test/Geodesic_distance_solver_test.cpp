@@ -167,7 +167,7 @@ TYPED_TEST(Geodesic_distance_solver, keeps_results_if_an_argument_is_invalid)
   EXPECT_EQ(solver.source_label(Vertex(500)), 1u);
 }
 
-TYPED_TEST(Geodesic_distance_solver, has_no_label_beyond_maximum_distance)
+TYPED_TEST(Geodesic_distance_solver, has_no_label_and_no_path_beyond_maximum_distance)
 {
   typename TestFixture::Solver solver(this->domain);
   solver.compute(Vertex(3), GP::parameters::maximum_distance(0.5));
@@ -178,6 +178,7 @@ TYPED_TEST(Geodesic_distance_solver, has_no_label_beyond_maximum_distance)
       ++number_of_unreached;
       EXPECT_EQ(solver.source_label(v), (std::numeric_limits<std::size_t>::max)());
       EXPECT_EQ(solver.predecessor(v), v);
+      EXPECT_TRUE(solver.path(v).empty());
     }
   EXPECT_GT(number_of_unreached, 0u);
 }

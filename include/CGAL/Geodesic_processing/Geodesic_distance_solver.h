@@ -267,6 +267,9 @@ public:
   {
     const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
+    // The search for a path has no maximum distance.
+    if(!(distance < internal::infinity))
+      return internal::surface_path(m_domain, {}, distance);
     // An exact path can be missing only because of degenerate triangles.
     if(const internal::Window_propagation* windows = m_engine.windows())
       if(const internal::Bounded_path path = windows->path(inner); !path.locations.empty())
@@ -307,11 +310,14 @@ public:
   std::vector<Surface_path<Surface>>
   shortest_paths(const QueryLocation& from, const NamedParameters& np = NamedParameters()) const
   {
+    const internal::Window_propagation& exact = windows();
     const double tolerance = internal::parameter(np, internal_np::tolerance, 1e-9);
     const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
     std::vector<Surface_path<Surface>> result;
-    for(const auto& path : windows().paths(inner, tolerance))
+    if(!(distance < internal::infinity))
+      return result;
+    for(const auto& path : exact.paths(inner, tolerance))
       result.push_back(internal::surface_path(m_domain, path, distance));
     return result;
   }
@@ -325,9 +331,10 @@ public:
   template <typename QueryLocation>
   Geodesic_departure<Surface> departure(const QueryLocation& to) const
   {
-    const internal::Departure found = windows().departure(internal::location(m_domain, to));
+    const internal::Surface_location inner = internal::location(m_domain, to);
+    const internal::Departure found = windows().departure(inner);
     Geodesic_departure<Surface> result;
-    if(!(found.length < internal::infinity))
+    if(!(found.length < internal::infinity && m_engine.distance(inner) < internal::infinity))
       return result;
     result.from = m_domain.outer(found.from);
     result.polar_angle = found.polar_angle;
