@@ -64,6 +64,13 @@ private:
   int m_levels = 0;
 };
 
+// CHOLMOD reports a lack of memory only by its status.
+void check_memory(const Cholmod_common& common)
+{
+  if(common.status == CHOLMOD_OUT_OF_MEMORY)
+    throw std::bad_alloc();
+}
+
 } // namespace
 
 struct Sparse_solver::Solver
@@ -84,11 +91,14 @@ struct Sparse_solver::Solver
     }
     cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
     factor = cholmod_analyze(&view, &common);
+    if(!factor)
+      check_memory(common);
   }
   Solver(const Solver& other)
   {
     Cholmod_common common;
     factor = cholmod_copy_factor(other.factor, &common);
+    check_memory(common);
   }
   ~Solver()
   {
@@ -100,17 +110,21 @@ struct Sparse_solver::Solver
   {
     Cholmod_common common;
     cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
-    return factor && cholmod_factorize(&view, factor, &common) && factor->minor == factor->n;
+    const bool is_factorized =
+        factor && cholmod_factorize(&view, factor, &common) && factor->minor == factor->n;
+    check_memory(common);
+    return is_factorized;
   }
 
   Vector solve(const Vector& rhs) const
   {
     Cholmod_common common;
     cholmod_dense view = Eigen::viewAsCholmod(rhs.const_cast_derived());
+    Vector result(rhs.size()); // allocated first, because an exception would leak the solution
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, &view, &common);
     if(!solution)
       throw std::bad_alloc();
-    const Vector result = Vector::Map(static_cast<const double*>(solution->x), rhs.size());
+    result = Vector::Map(static_cast<const double*>(solution->x), rhs.size());
     cholmod_free_dense(&solution, &common);
     return result;
   }

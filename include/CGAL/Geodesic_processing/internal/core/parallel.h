@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing::internal {
 // data of its own block, the result is the same for every number of threads.
 //
 // If a call throws, the remaining blocks are skipped, and the exception of the thread with the
-// lowest index is rethrown.
+// lowest index is rethrown.  If the system cannot start a thread, the others process the blocks.
 template <typename Body>
 void for_each_block(std::size_t size, std::size_t block_size, unsigned number_of_threads,
                     const Body& body)
@@ -46,8 +46,16 @@ void for_each_block(std::size_t size, std::size_t block_size, unsigned number_of
     }
   };
   std::vector<std::thread> pool;
-  for(std::size_t thread = 1; thread < number_of_workers; ++thread)
-    pool.emplace_back(process_guarded, thread);
+  pool.reserve(number_of_workers - 1);
+  try
+  {
+    while(pool.size() + 1 < number_of_workers)
+      pool.emplace_back(process_guarded, pool.size() + 1);
+  }
+  catch(const std::exception&)
+  {
+    // The destructor of a joinable thread would end the process, so the loop below joins them.
+  }
   process_guarded(0);
   for(std::thread& thread : pool)
     thread.join();
