@@ -135,7 +135,7 @@ check_installed_package()
 list_tests()
 {
   local name
-  for name in internal brute_force regression agreement surface program; do
+  for name in internal brute_force regression agreement surface program allocation; do
     "$1/test/$name" --gtest_list_tests | grep '^  ' || return 1
   done
   ctest --test-dir "$1" -N | grep -E ': (example|fuzz)_'
