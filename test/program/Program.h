@@ -137,16 +137,16 @@ protected:
     std::ofstream(m_folder / name, std::ios::binary) << bytes;
   }
 
-  // Runs a command line in the folder.
-  Run_result run(const std::string& arguments) const
+  // Runs a command line in the folder. The shell command begins with `prefix`.
+  Run_result run(const std::string& arguments, const std::string& prefix = "") const
   {
     const fs::path out = fs::path(m_folder.string() + ".out"), err = m_folder.string() + ".err";
     const std::string redirection =
         arguments.find('>') == std::string::npos ? " >'" + out.string() + "'" : "";
-    const int status =
-        std::system(("cd '" + m_folder.string() + "' && '" GEODESIC_PROCESSING_PROGRAM "' " +
-                     arguments + redirection + " 2>'" + err.string() + "'")
-                        .c_str());
+    const int status = std::system(("cd '" + m_folder.string() + "' && " + prefix +
+                                    "'" GEODESIC_PROCESSING_PROGRAM "' " + arguments + redirection +
+                                    " 2>'" + err.string() + "'")
+                                       .c_str());
     Run_result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
     fs::remove(out);
     fs::remove(err);

@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "readers/Scanner.h"
+#include "io/Output_file.h"
 #include "io/errors.h"
 
 #include <CGAL/Geodesic_processing/exceptions.h>
@@ -103,15 +104,20 @@ std::string input_prefix(const CLI::App& program)
 
 int run(int argc, char** argv)
 {
-  // If the reader of a pipe exits, the write must fail with an error instead of ending the
-  // process.
+  // If the reader of a pipe exits or a file exceeds the limit of its size, the write must fail with
+  // an error instead of ending the process.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  remove_unfinished_file_on_signals();
 
   CLI::App program(
       "Geodesic distances, shortest paths and related algorithms on triangle meshes and "
       "point clouds.",
       "geodesic");
   program.require_subcommand(1);
+  program.footer("Exit codes: 0 success; 1 wrong usage, or a required component is not installed; "
+                 "2 the input cannot be processed, or there is not enough memory; "
+                 "3 the result cannot be written.");
   program.set_version_flag("--version", "geodesic 0.1.0");
   add_commands(program, argc > 1 ? argv[1] : "");
   try

@@ -4,9 +4,11 @@
 
 #include "io/errors.h"
 
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -25,15 +27,30 @@ namespace {
   throw Output_error(filename + ": it cannot be written: " + std::strerror(error) + ".");
 }
 
+// The name of the temporary file that is being written, or null.
+std::atomic<const char*> unfinished_file{nullptr};
+
+// Calls only functions that are safe in a signal handler.
+void remove_unfinished_file(int signal)
+{
+  if(const char* const filename = unfinished_file)
+    ::unlink(filename);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 // A file descriptor. The destructor closes the file and deletes a temporary file that was not
 // committed.
 class Descriptor
 {
 public:
   Descriptor(const std::string& filename, int flags, bool is_temporary)
-      : m_filename(filename), m_is_temporary(is_temporary),
-        m_descriptor(::open(filename.c_str(), flags, 0666))
-  {}
+      : m_filename(filename), m_is_temporary(is_temporary)
+  {
+    if(m_is_temporary)
+      unfinished_file = m_filename.c_str();
+    m_descriptor = ::open(filename.c_str(), flags, 0666);
+  }
 
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
@@ -44,6 +61,7 @@ public:
       ::close(m_descriptor);
     if(m_is_temporary && was_opened())
       ::unlink(m_filename.c_str());
+    unfinished_file = nullptr;
   }
 
   bool is_open() const { return m_descriptor >= 0; }
@@ -78,7 +96,7 @@ private:
 
   std::string m_filename;
   bool m_is_temporary;
-  int m_descriptor;
+  int m_descriptor = -1;
   bool m_is_closed = false;
 };
 
@@ -131,6 +149,13 @@ void write_file(const std::string& filename, std::string_view bytes)
     replace_file(name, filename);
     file.commit();
   }
+}
+
+void remove_unfinished_file_on_signals()
+{
+  for(const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if(std::signal(signal, remove_unfinished_file) == SIG_IGN)
+      std::signal(signal, SIG_IGN); // nohup ignores SIGHUP
 }
 
 void check_directory(const std::string& filename)

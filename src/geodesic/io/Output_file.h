@@ -14,6 +14,10 @@ namespace program {
 // /dev/stdout) are written directly. Throws Output_error.
 void write_file(const std::string& filename, std::string_view bytes);
 
+// From now on, SIGINT, SIGTERM and SIGHUP delete the temporary file of write_file() before they end
+// the process. Signals that are ignored remain ignored.
+void remove_unfinished_file_on_signals();
+
 // Returns an unused file name in the directory of `filename`, for writers that create their own
 // file.
 std::string temporary_filename(const std::string& filename);
