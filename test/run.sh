@@ -174,10 +174,11 @@ check_many_meshes()
 # Compares the results of gcc and clang, and those of one thread and five.
 check_equal_results()
 {
-  # Not the commands on generated models, which these builds do not have.
-  local only='^0 ([^m]|m[^o])*data/(patches/mushroom|points/oni|meshes/(pig|elephant))([^m]|m[^o])*$'
-  bash test/behavior/compare.sh --only "$only" $sanitizer $release "$data" &&
-    bash test/behavior/compare.sh --only "$only" --threads 1,5 $release $release "$data"
+  # These builds have no program that generates models.  Transport costs in a spectral basis are
+  # computed in single precision by Eigen, whose operations depend on the compiler.
+  local only='^0 .*data/(patches/mushroom|points/oni|meshes/(pig|elephant))'
+  bash test/behavior/compare.sh --only "$only" --except 'models/|--basis' $sanitizer $release "$data" &&
+    bash test/behavior/compare.sh --only "$only" --except models/ --threads 1,5 $release $release "$data"
 }
 
 check_all_models()

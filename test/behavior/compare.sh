@@ -12,6 +12,7 @@
 #                               repository); without it, the commands on real models are skipped
 #   --no-messages   ignore the words of standard error, of help texts and of readable results
 #   --only REGEX    only commands that match
+#   --except REGEX  not the commands that match
 #   --threads N,M   N threads before and M after, for commands that state no number
 #   --keep FOLDER   keep the outputs of all commands in this folder
 # Exit codes, standard output, standard error and all written files must be equal. The times in
@@ -27,13 +28,14 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 started=$SECONDS
 
 fail() { echo "compare.sh: $*" >&2; exit 2; }
-usage() { sed -n '5,24s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+usage() { sed -n '5,25s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 
-with_messages=1 only=. keep= threads=
+with_messages=1 only=. except= keep= threads=
 while [[ ${1-} == -* ]]; do
   case $1 in
     --no-messages) with_messages=0 ;;
     --only) only=${2-} && shift ;;
+    --except) except=${2-} && shift ;;
     --threads) threads=${2-} && shift ;;
     --keep) keep=${2-} && shift ;;
     *) usage ;;
@@ -739,6 +741,7 @@ echo "Running commands with OPENBLAS_CORETYPE=${OPENBLAS_CORETYPE-} OPENBLAS_NUM
 number=0 skipped=0 list=()
 while read -r line; do
   [[ -n $line && $line =~ $only ]] || continue
+  [[ -z $except || ! $line =~ $except ]] || continue
   if [[ $line == *data/* && ! -d $data ]]; then
     skipped=$((skipped + 1))
     continue
