@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/transport/Barycenter_solver.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include "transport/Spanning_forest.h"
 #include "transport/convergence.h"
 
 #include <algorithm>
@@ -77,9 +78,9 @@ class Barycenter_solver::Admm
 public:
   Admm(const Barycenter_solver& solver, const std::vector<Vector>& masses,
        const std::vector<double>& weights, Barycenter_state start)
-      : m_solver(solver), m_operators(solver.m_operators), m_masses(masses), m_weights(weights),
-        m_total(solver.m_number_of_components, 0.), m_threshold(masses.size(), 0.),
-        m_state(std::move(start))
+      : m_solver(solver), m_operators(solver.m_operators), m_forest(m_operators), m_masses(masses),
+        m_weights(weights), m_total(solver.m_number_of_components, 0.),
+        m_threshold(masses.size(), 0.), m_state(std::move(start))
   {
     const std::size_t k = masses.size();
     for(std::size_t vertex = 0; vertex < solver.m_component.size(); ++vertex)
@@ -268,7 +269,8 @@ private:
   }
 
   // Corrects flows, by least squares, such that they move the given masses to the input masses.
-  // Keeps masses and flows if they cost less than the best ones.
+  // Keeps masses and flows if they cost less than the best ones.  The cost contains that of moving
+  // the error of the divergence along edges.
   void update_upper_bound(const Vector& masses, std::vector<Field> flows)
   {
     Columns rhs(masses.size(), Eigen::Index(size()));
@@ -281,7 +283,8 @@ private:
       gradient(m_operators, rhs.col(Eigen::Index(i)), m_gradient);
       for(std::size_t f = 0; f < m_gradient.size(); ++f)
         flows[i][f] = flows[i][f] + m_gradient[f];
-      const double distance = integrated_length(m_operators, flows[i]);
+      const Vector error = m_masses[i] - masses - minus_divergence(m_operators, flows[i]);
+      const double distance = integrated_length(m_operators, flows[i], m_forest.cost(error));
       upper += m_weights[i] * distance * distance;
     }
     if(!(upper < m_upper))
@@ -319,6 +322,7 @@ private:
 
   const Barycenter_solver& m_solver;
   const Operators& m_operators;
+  Spanning_forest m_forest;
   const std::vector<Vector>& m_masses;
   const std::vector<double>& m_weights;
   std::vector<double> m_total;     // #components

@@ -13,6 +13,10 @@ namespace {
 // The number of ADMM steps between two updates of the bounds, which cost as much as two steps.
 constexpr unsigned admm_steps = 10;
 
+// A flow is corrected if its error may cost more than this fraction of its own cost, which is far
+// below every tolerance of use. Round-off errors cost less if there are no needles.
+constexpr double negligible_error = 1e-10;
+
 // ADMM with the projection to the fields that move the masses: one back substitution each.
 class Admm_iteration : public Transport_iteration
 {
@@ -60,29 +64,67 @@ private:
 
 } // namespace
 
-Transport_iteration::Transport_iteration(const Transport_problem& problem) : m_problem(problem)
+Transport_iteration::Transport_iteration(const Transport_problem& problem)
+    : m_problem(problem), m_forest(problem.operators)
 {
   m_best.upper = infinity;
   m_best.potential = Vector::Zero(problem.masses.size());
 }
 
-void Transport_iteration::update_upper_bound(const Field& flow, const Vector& outflow)
+double Transport_iteration::price(const Vector& outflow) const
 {
-  double upper = 0.;
+  double result = 0.;
   Eigen::Index i = 0;
   for(const Exit_group& group : m_problem.exits)
     for(const Exit& exit : group.exits)
     {
       const double x = outflow[i++];
       if(!(x >= 0. && x <= exit.capacity))
-        return;
-      upper += 0.5 * exit.price * x * x;
+        return infinity;
+      result += 0.5 * exit.price * x * x;
     }
-  upper = integrated_length(operators(), flow, upper);
+  return result;
+}
+
+double Transport_iteration::correct(const Vector& outflow, double negligible_cost,
+                                    Field& flow) const
+{
+  Vector masses = m_problem.masses;
+  Eigen::Index i = 0;
+  for(const Exit_group& group : m_problem.exits)
+    for(const Exit& exit : group.exits)
+      masses[exit.vertex] += outflow[i++];
+  const auto error = [&](const Field& flow) -> Vector
+  { return masses - minus_divergence(operators(), flow); };
+
+  double cost = m_forest.cost(error(flow));
+  // Iterative refinement. If the matrix is too ill-conditioned, it does not converge.
+  while(cost > negligible_cost)
+  {
+    Field corrected = gradient(operators(), m_problem.solver.solve(error(flow)));
+    for(std::size_t f = 0; f < flow.size(); ++f)
+      corrected[f] = flow[f] + corrected[f];
+    const double next = m_forest.cost(error(corrected));
+    if(!(next < 0.5 * cost))
+      break;
+    cost = next;
+    flow = std::move(corrected);
+  }
+  return cost;
+}
+
+void Transport_iteration::update_upper_bound(Field flow, const Vector& outflow)
+{
+  const double fixed_cost = price(outflow);
+  const double cost = integrated_length(operators(), flow, fixed_cost);
+  if(!(cost < m_best.upper))
+    return;
+  const double correction = correct(outflow, negligible_error * cost, flow);
+  const double upper = integrated_length(operators(), flow, fixed_cost) + correction;
   if(!(upper < m_best.upper))
     return;
   m_best.upper = upper;
-  m_best.flow = flow;
+  m_best.flow = std::move(flow);
   m_best.outflow = outflow;
 }
 

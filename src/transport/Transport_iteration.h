@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 #include <CGAL/Geodesic_processing/internal/transport/Transport_solver.h>
+#include "transport/Spanning_forest.h"
 #include "transport/exits.h"
 
 #include <memory>
@@ -53,13 +54,21 @@ protected:
   const Transport_problem& problem() const { return m_problem; }
 
   // Keeps a flow with divergence(flow) = masses + outflow if it costs less than the best one.
-  // Ignores it if an outflow is negative or exceeds the capacity.
-  void update_upper_bound(const Field& flow, const Vector& outflow = {});
+  // Ignores it if an outflow is negative or exceeds the capacity. If the divergence has an error,
+  // the bound contains the cost of moving the error along edges.
+  void update_upper_bound(Field flow, const Vector& outflow = {});
   // Keeps a potential, divided by its maximum slope, if it proves a higher bound than the best one.
   void update_lower_bound(const Vector& potential);
 
 private:
+  // Returns the sum of the prices, or infinity if an outflow is negative or exceeds the capacity.
+  double price(const Vector& outflow) const;
+  // Returns an upper bound of the cost of moving the masses to which the flow does not lead. If it
+  // is not negligible, corrects the flow.
+  double correct(const Vector& outflow, double negligible_cost, Field& flow) const;
+
   Transport_problem m_problem;
+  Spanning_forest m_forest;
   Transport_result m_best;
 };
 

@@ -3,9 +3,11 @@
 #include "transport/Transport_iteration.h"
 
 #include "Array_surface.h"
+#include "transport/Spanning_forest.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 namespace Transport_iteration_test {
@@ -94,9 +96,37 @@ TEST(Transport_iteration, keeps_best_bounds)
   EXPECT_EQ(bounds.best().upper, upper);
 }
 
-TEST(Transport_iteration, ignores_infeasible_outflow)
+TEST(Transport_iteration, corrects_flows_with_other_masses)
 {
   const Square_problem square;
+  const double cost =
+      integrated_length(square.o, gradient(square.o, square.solver->solve(square.masses)));
+  Bounds bounds(square.problem());
+  bounds.update_upper_bound(Field(square.o.number_of_triangles(), Vec2{0., 0.}));
+  EXPECT_NEAR(bounds.best().upper, cost, round_off * cost);
+  const Vector error = minus_divergence(square.o, bounds.best().flow) - square.masses;
+  EXPECT_LT(error.lpNorm<Eigen::Infinity>(), round_off);
+}
+
+// A solver of another matrix cannot correct the flow.
+TEST(Transport_iteration, upper_bound_contains_the_cost_of_the_error)
+{
+  const Square_problem square;
+  Sparse_matrix other_matrix = 1e6 * square.matrix;
+  const Sparse_solver other_solver(other_matrix, Elimination_order::low_fill);
+  const Transport_problem problem = {square.o, square.laplacian, square.matrix, other_solver,
+                                     square.masses};
+  Bounds bounds(problem);
+  bounds.update_upper_bound(Field(square.o.number_of_triangles(), Vec2{0., 0.}));
+  EXPECT_EQ(bounds.best().upper, Spanning_forest(square.o).cost(square.masses));
+  EXPECT_GE(bounds.best().upper, std::sqrt(2.)); // the diagonal of the square
+}
+
+TEST(Transport_iteration, ignores_infeasible_outflow)
+{
+  Square_problem square;
+  square.masses.setZero();
+  square.masses[square.surface.vertex(8)] = -0.5;
   Transport_problem problem = square.problem();
   problem.exits = {{0, 1., {{square.surface.vertex(8), 0.75, 2.}}}};
   const Field flow(square.o.number_of_triangles(), Vec2{0., 0.});
