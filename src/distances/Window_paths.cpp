@@ -121,15 +121,21 @@ double distance_in_source_triangle(const Window_state& windows, const Source_pie
 
 double Window_propagation::distance(const Surface_location& location) const
 {
-  const Distance_bounds bounds = this->bounds(location);
-  return m_state.is_exact() ? bounds.lower : 0.5 * (bounds.lower + bounds.upper);
+  const auto [lower, upper] = unscaled_bounds(location);
+  return m_state.is_exact() ? scaled(lower) : 0.5 * (scaled(lower) + scaled(upper));
 }
 
-Distance_bounds Window_propagation::bounds(const Surface_location& query) const
+Distance_bounds Window_propagation::bounds(const Surface_location& location) const
+{
+  const auto [lower, upper] = unscaled_bounds(location);
+  return {scaled(without_error(lower)), scaled(upper)};
+}
+
+Distance_bounds Window_propagation::unscaled_bounds(const Surface_location& query) const
 {
   const Surface_location location = outside_obstacles(query);
   if(const Index vertex = vertex_of(*m_state.triangles, location); vertex != none)
-    return {lower(vertex), upper(vertex)};
+    return {m_state.vertices[vertex].distance, m_state.upper_bound(vertex)};
   if(is_inside_obstacle(location))
     return {};
   const std::lock_guard lock(m_reverse_search.mutex);
@@ -140,8 +146,7 @@ Distance_bounds Window_propagation::bounds(const Surface_location& query) const
   const double error = meeting.vertex == none ? 0.
                                               : m_state.upper_bound(meeting.vertex) -
                                                     m_state.vertices[meeting.vertex].distance;
-  const double lower = meeting.distance + m_state.min_offset;
-  return {m_slowness * lower, m_slowness * (lower + error)};
+  return {meeting.distance, meeting.distance + error};
 }
 
 // Throws if the last query had a relative tolerance.
@@ -259,7 +264,7 @@ Bounded_path Window_propagation::path_between(const Surface_location& from,
   Reverse_window_search& reverse_search = this->reverse_search();
   const Meeting& meeting = reverse_search.find_between(m_state, to, from, max_length);
   if(!(meeting.distance < max_length * (1. - round_off_tolerance)))
-    return {{}, max_length * (1. - 2. * round_off_tolerance)};
+    return {{}, without_error(max_length * (1. - 2. * round_off_tolerance))};
   std::vector<Surface_location> path;
   const double length = append_meeting(reverse_search.state(), m_state, meeting, path);
   return shortened(path, length);
@@ -270,7 +275,7 @@ Bounded_path Window_propagation::path_between(const Surface_location& from,
 Bounded_path Window_propagation::shortened(const std::vector<Surface_location>& path,
                                            double length) const
 {
-  Bounded_path result = {{}, length * (1. - 2. * round_off_tolerance)};
+  Bounded_path result = {{}, without_error(length * (1. - 2. * round_off_tolerance))};
   if(is_disconnected(*m_state.triangles, path))
     return result;
   Locally_shortest_path shortest = shorten_geodesic(*m_state.triangles, path);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/degenerate_triangles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -75,6 +77,22 @@ without_degenerate_triangles(std::shared_ptr<const Surface_arrays> mesh)
       }
     }
     degenerate = std::move(next);
+  }
+  return result;
+}
+
+double total_height_of_degenerate_triangles(const Surface_arrays& mesh)
+{
+  double result = 0.;
+  for(Index triangle = 0; triangle < mesh.number_of_triangles(); ++triangle)
+  {
+    const Index longest = longest_edge(mesh.length, triangle);
+    const double c = mesh.length[longest];
+    const double difference =
+        mesh.length[next_halfedge(longest)] + mesh.length[previous_halfedge(longest)] - c;
+    // The height is at most that of the isosceles triangle.
+    if(difference < 1e-14 * c)
+      result += std::sqrt(0.5 * c * std::max(difference, 0.) + 0.25 * difference * difference);
   }
   return result;
 }

@@ -57,7 +57,7 @@ struct Euclidean_front
 /// needles. Paths are shortest paths. Distances inside faces are exact as well, and each takes a
 /// separate search from there. Faces of speed zero are obstacles: distances are exact on the
 /// surface without them. All other speeds must be equal. On triangles of area zero, a distance can
-/// exceed the exact one by 3e-8 of the lengths of their edges.
+/// exceed the exact one by 3e-8 of the lengths of their edges. Lower bounds contain this error.
 ///
 /// With a positive `relative_tolerance`, similar windows are merged, and the solver has certified
 /// bounds of the distances. \cgalCite{cgal:sskgh-feagm-05} On smooth meshes of 100,000 vertices

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace degenerate_triangles_test {
@@ -75,6 +76,62 @@ TEST(Degenerate_triangles, paths_spread_from_vertex_on_an_edge)
     // The flat triangle has a height of sqrt(1e-15) times its longest edge.
     EXPECT_NEAR(arrays.scale() * windows.distance(arrays.vertex(i)), expected, 7e-8) << i;
   }
+}
+
+// A square whose central vertex is in the middle of the opposite edge of one of its triangles.
+Triangulation flat_triangle_inside()
+{
+  Triangulation result = square(8);
+  const Index center = 40;
+  const std::size_t c =
+      std::find(result.corners.begin(), result.corners.end(), center) - result.corners.begin();
+  const Point &p = result.points[result.corners[c - c % 3 + (c + 1) % 3]],
+              &q = result.points[result.corners[c - c % 3 + (c + 2) % 3]];
+  result.points[center] = {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.};
+  return result;
+}
+
+TEST(Degenerate_triangles, lower_bounds_contain_the_error)
+{
+  const Triangulation square = flat_triangle_inside();
+  const Array_surface surface(square);
+  const auto euclidean = [&](Index from, Index to)
+  {
+    const Point &p = square.points[from], &q = square.points[to];
+    return std::hypot(p[0] - q[0], p[1] - q[1]);
+  };
+  Window_propagation windows(surface.triangles());
+  bool is_error_visible = false;
+  for(Index from = 0; from < square.points.size(); ++from)
+  {
+    windows.run({surface.source(from)});
+    for(Index to = 0; to < square.points.size(); ++to)
+    {
+      const double exact = euclidean(from, to);
+      const double distance = surface.scale() * windows.distance(surface.vertex(to));
+      const double lower = surface.scale() * windows.lower(surface.vertex(to));
+      // Round-off errors of sums of ten lengths
+      EXPECT_LE(lower, exact * (1. + 1e-14));
+      EXPECT_GE(lower, distance - 7e-8); // the height of the triangle, as above
+      is_error_visible = is_error_visible || distance > exact * (1. + 1e-12);
+      const Surface_location location = surface.at(to);
+      EXPECT_EQ(windows.bounds(location).lower * surface.scale(), lower);
+      EXPECT_EQ(windows.distance(location) * surface.scale(), distance);
+      const Bounded_path path = windows.path(location);
+      EXPECT_LE(surface.scale() * path.lower, exact);
+    }
+  }
+  EXPECT_TRUE(is_error_visible);
+}
+
+TEST(Degenerate_triangles, height_is_that_of_degenerate_triangles)
+{
+  EXPECT_EQ(total_height_of_degenerate_triangles(Array_surface(square(8, 0.24)).t()), 0.);
+  const auto lengthened = without_degenerate_triangles(Array_surface(flat_triangles()).triangles());
+  const double height = total_height_of_degenerate_triangles(*lengthened);
+  // Three to four triangles whose longest edges are between 0.1 and 0.2 of the unit
+  EXPECT_GT(height, 1e-9);
+  EXPECT_LT(height, 4e-8);
 }
 
 } // namespace degenerate_triangles_test

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/distances/Window_state.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -56,7 +57,8 @@ struct Bounded_path
 // is reached.  The time of a query depends only on the visited triangles.  Copies share the triangles
 // and may run concurrently.
 //
-// Degenerate triangles get slightly longer edges first (without_degenerate_triangles()).
+// Degenerate triangles get slightly longer edges first (without_degenerate_triangles()).  Lower
+// bounds, also those of paths, contain the error.
 //
 // With a relative tolerance, similar windows are merged (approximate_windows.h).  Lower and upper
 // bounds of the distances then differ by at most this fraction of the lower bound, and distance() is
@@ -80,17 +82,16 @@ public:
   // The results of the last query, in the unit of the arrays, as those of a Front.
   double distance(Index vertex) const
   {
-    return m_state.is_exact() ? lower(vertex) : 0.5 * (lower(vertex) + upper(vertex));
+    const double result = scaled(m_state.vertices[vertex].distance);
+    return m_state.is_exact() ? result : 0.5 * (result + upper(vertex));
   }
-  // Certified bounds of the distance, equal without a relative tolerance, up to round-off errors.
+  // Certified bounds of the distance, up to round-off errors.  Without a relative tolerance and
+  // degenerate triangles they are equal.
   double lower(Index vertex) const
   {
-    return m_slowness * (m_state.vertices[vertex].distance + m_state.min_offset);
+    return scaled(without_error(m_state.vertices[vertex].distance));
   }
-  double upper(Index vertex) const
-  {
-    return m_slowness * (m_state.upper_bound(vertex) + m_state.min_offset);
-  }
+  double upper(Index vertex) const { return scaled(m_state.upper_bound(vertex)); }
   Index source(Index vertex) const { return m_state.vertices[vertex].source; }
   Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const { return m_state.reached; }
@@ -125,6 +126,10 @@ public:
   double polar_angle_of_departure(Index vertex) const;
 
 private:
+  double scaled(double distance) const { return m_slowness * (distance + m_state.min_offset); }
+  // Returns a lower bound of the distance on the input.
+  double without_error(double distance) const { return std::max(0., distance - m_max_error); }
+
   // The lazily created search from locations back to the sources; a copy starts with none.
   struct Reverse_search
   {
@@ -136,6 +141,8 @@ private:
     std::shared_ptr<Reverse_window_search> search;
   };
 
+  // Returns bounds of the distance on the triangles with longer edges.  Not scaled.
+  Distance_bounds unscaled_bounds(const Surface_location& location) const;
   void require_exact() const;
   Bounded_path path_along_edges(const Surface_location& from) const;
   void set_obstacles(const std::vector<double>* slowness);
@@ -151,7 +158,8 @@ private:
   std::vector<double> m_slowness_map;
   std::vector<Front_source> m_sources; // of the last query, outside of obstacles
   double m_slowness = 1.;              // outside of obstacles
-  Window_state m_state; // on the surface without obstacles; its distances are for slowness 1
+  Window_state m_state;    // on the surface without obstacles; its distances are for slowness 1
+  double m_max_error = 0.; // by which degenerate triangles increase a distance
   mutable Reverse_search m_reverse_search;
 };
 
