@@ -37,21 +37,41 @@ void Refined_surface::split(const std::vector<bool>& is_split)
 
 void Refined_surface::split_duplicate_faces()
 {
-  const Surface_arrays& t = triangles();
-  std::vector<bool> is_split(t.corner.size(), false);
+  std::vector<bool> is_split(triangles().corner.size(), false);
   bool has_duplicates = false;
-  for(Index h = 0; h < is_split.size(); ++h)
+  for_each_vertex_of_two_faces(
+      [&](Index h, Index other)
+      {
+        has_duplicates = true;
+        for(Index k = 0; k < 3; ++k)
+          for(const Index marked : {3 * (h / 3) + k, 3 * (other / 3) + k})
+            mark_edge(triangles(), marked, is_split);
+      });
+  if(!has_duplicates)
+    return;
+  split(is_split);
+  // Each of these vertices still has two faces, now smaller ones. No face has two such vertices.
+  // The edge opposite to the vertex is split in both faces, so that it has four faces.
+  is_split.assign(triangles().corner.size(), false);
+  for_each_vertex_of_two_faces(
+      [&](Index h, Index other)
+      {
+        mark_edge(triangles(), previous_halfedge(h), is_split);
+        mark_edge(triangles(), next_halfedge(other), is_split);
+      });
+  split(is_split);
+}
+
+template <typename Visitor>
+void Refined_surface::for_each_vertex_of_two_faces(const Visitor& visit) const
+{
+  const Surface_arrays& t = triangles();
+  for(Index h = 0; h < t.corner.size(); ++h)
   {
     const Index other = t.twin[h], next = t.twin[next_halfedge(h)];
-    if(other == none || next == none || other / 3 != next / 3 || other / 3 == h / 3)
-      continue;
-    has_duplicates = true;
-    for(Index k = 0; k < 3; ++k)
-      for(const Index marked : {3 * (h / 3) + k, 3 * (other / 3) + k})
-        mark_edge(t, marked, is_split);
+    if(other != none && next != none && other / 3 == next / 3 && other / 3 != h / 3)
+      visit(h, other);
   }
-  if(has_duplicates)
-    split(is_split);
 }
 
 void Refined_surface::set_refinement(Refinement refinement)

@@ -51,10 +51,15 @@ public:
   // for both halfedges of an edge. O(n).
   void split(const std::vector<bool>& is_split);
   // Splits the edges of each pair of triangles that share two edges: samples at their three common
-  // vertices could not distinguish the two triangles. O(n).
+  // vertices could not distinguish the two triangles. Afterwards, each vertex that is not on the
+  // boundary has at least three faces, also after further splits. O(n).
   void split_duplicate_faces();
 
 private:
+  // Calls `visit` with the halfedges of both faces of each interior vertex that has two faces. The
+  // first halfedge ends at the vertex, and the second one is its twin.
+  template <typename Visitor>
+  void for_each_vertex_of_two_faces(const Visitor& visit) const;
   void set_refinement(Refinement refinement);
   void mark_features();
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace Refined_surface_test {
@@ -83,7 +84,13 @@ TEST(Refined_surface, split_duplicate_faces_separates_two_faces_with_the_same_ve
   const Array_surface arrays(lens);
   Refined_surface surface(arrays.triangles(), {});
   surface.split_duplicate_faces();
-  EXPECT_EQ(surface.triangles().number_of_triangles(), 8u);
+  const Surface_arrays& t = surface.triangles();
+  std::set<std::set<Index>> faces;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+    faces.insert({t.corner[3 * f], t.corner[3 * f + 1], t.corner[3 * f + 2]});
+  EXPECT_EQ(faces.size(), t.number_of_triangles());
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
+    EXPECT_GE(t.ring_begin[vertex + 1] - t.ring_begin[vertex], 3u);
   // A mesh without duplicates is not changed.
   const Array_surface plane(square(4));
   Refined_surface unchanged(plane.triangles(), {});
