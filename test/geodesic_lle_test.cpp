@@ -158,6 +158,38 @@ TEST(geodesic_lle, connects_groups_of_base_points)
   EXPECT_NO_THROW(flatten(6));
 }
 
+// Returns two dense squares that are joined by one long quad.
+Triangulation dumbbell(std::size_t number, double length)
+{
+  Triangulation result = square(number);
+  Triangulation second = square(number);
+  for(Point& p : second.points)
+    p[0] += 1. + length;
+  const Index size = Index(result.points.size()), row = Index(number + 1);
+  // The quad joins the middle edges of the facing sides.
+  const Index a = row * Index(number / 2) + Index(number), b = size + row * Index(number / 2);
+  result = disjoint_union(result, second);
+  result.corners.insert(result.corners.end(), {a, b, b + row, a, b + row, a + row});
+  return result;
+}
+
+TEST(geodesic_lle, default_number_of_neighbors_connects_groups)
+{
+  Mesh mesh = mesh_of(dumbbell(8, 20.));
+  auto uv = vertex_map<UV>(mesh);
+  for(const std::size_t number : {20u, 100u, 162u})
+  {
+    const auto np = GP::parameters::number_of_base_points(number);
+    GP::geodesic_lle(mesh, uv, np);
+    EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << number;
+  }
+  // A given number is not increased by more than a quarter.
+  EXPECT_THROW(GP::geodesic_lle(mesh, uv,
+                                GP::parameters::number_of_base_points(std::size_t(162))
+                                    .number_of_neighbors(std::size_t(10))),
+               GP::Invalid_argument_error);
+}
+
 TEST(geodesic_lle, has_bounded_stretch_on_flat_annulus)
 {
   Mesh mesh = mesh_of(annulus(48, 12, 1., 2.));

@@ -74,18 +74,33 @@ std::vector<Local_chart> build_local_charts(const Base_points& base, std::size_t
 }
 
 // Returns whether the graph of neighbors, as an undirected graph, is connected.
-bool is_connected(const std::vector<Local_chart>& charts)
+bool is_connected(const Base_points& base, std::size_t neighbors)
 {
-  boost::disjoint_sets_with_storage<> groups(charts.size());
-  std::size_t number_of_groups = charts.size();
-  for(Index i = 0; i < charts.size(); ++i)
-    for(const Index neighbor : charts[i].neighbor)
-      if(groups.find_set(i) != groups.find_set(neighbor))
+  boost::disjoint_sets_with_storage<> groups(base.size());
+  std::size_t number_of_groups = base.size();
+  for(Index i = 0; i < base.size(); ++i)
+  {
+    const std::size_t begin = base.number_of_nearest * base.vertices[i];
+    for(std::size_t k = begin; k < begin + std::min(base.number_of_nearest, neighbors + 1); ++k)
+      if(const Index neighbor = base.neighbor[k];
+         neighbor != none && groups.find_set(i) != groups.find_set(neighbor))
       {
         groups.link(groups.find_set(i), groups.find_set(neighbor));
         --number_of_groups;
       }
+  }
   return number_of_groups == 1;
+}
+
+// Returns the smallest number of neighbors, at least `neighbors`, for which the graph of neighbors is
+// connected, or zero if it exceeds the length of the lists.
+std::size_t connecting_number(const Base_points& base, std::size_t neighbors)
+{
+  // Fewer base points have no more neighbors than all others.
+  while(!is_connected(base, neighbors))
+    if(++neighbors >= base.number_of_nearest)
+      return 0;
+  return neighbors;
 }
 
 // Returns the position of a base point in the chart of `center`, or null if it is not in the chart.
@@ -377,14 +392,11 @@ std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbo
 {
   if(base.size() < 3)
     return {};
-  std::vector<Local_chart> local_charts = build_local_charts(base, neighbors);
   // With few neighbors, groups of points can be disconnected.
-  while(!is_connected(local_charts))
-  {
-    if(++neighbors >= base.number_of_nearest)
-      return {};
-    local_charts = build_local_charts(base, neighbors);
-  }
+  neighbors = connecting_number(base, neighbors);
+  if(neighbors == 0)
+    return {};
+  std::vector<Local_chart> local_charts = build_local_charts(base, neighbors);
   orient_consistently(local_charts);
   const Arap_fit arap(local_charts);
   double min_energy = infinity;
@@ -404,6 +416,38 @@ std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbo
   std::vector<Vec2> result(base.size());
   for(Eigen::Index i = 0; i < best_positions.rows(); ++i)
     result[i] = {best_positions(i, 0), best_positions(i, 1)};
+  return result;
+}
+
+Embedded_base_points embed_samples(const Surface_arrays& triangles, const Sampling& sampling,
+                                   const Front& front, std::size_t neighbors, bool can_grow,
+                                   const std::function<bool(double)>& callback)
+{
+  Embedded_base_points result;
+  const auto embed = [&]
+  {
+    result.base = nearest_base_points(triangles, sampling, front,
+                                      number_of_nearest_for(result.neighbors), callback);
+    result.positions = embed_base_points(result.base, result.neighbors);
+  };
+  result.neighbors = neighbors;
+  embed();
+  if(!result.positions.empty() || !can_grow)
+    return result;
+  std::size_t connecting = 0;
+  // If each base point has all others as neighbors, the graph is connected.
+  while(connecting == 0 && result.base.number_of_nearest < result.base.size())
+  {
+    const std::size_t begin = result.base.number_of_nearest;
+    result.base = nearest_base_points(triangles, sampling, front, 2 * begin, callback);
+    connecting = connecting_number(result.base, begin);
+  }
+  if(connecting == 0)
+    return result; // too few base points, or the callback cancelled
+  // The nearest neighbor in another group connects it, but several are needed to orient the groups
+  // consistently.
+  result.neighbors = std::min(connecting + neighbors, result.base.size() - 1);
+  embed();
   return result;
 }
 

@@ -61,7 +61,8 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDescription{the number of neighbors of each base point, at least 3. If base points
 ///       would form disconnected groups, it is increased by at most a quarter}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{10}
+///     \cgalParamDefault{10. If base points would form disconnected groups, it is increased until
+///       they are connected}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{as for `farthest_vertex_sampling()`}
@@ -78,13 +79,15 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \returns the base points
 /// \throws Unsupported_surface_error if the surface is not connected
-/// \throws Invalid_argument_error if there are fewer than three base points, groups of them have no
-///         neighbors in each other, or a number is out of range
+/// \throws Invalid_argument_error if there are fewer than three base points or a number is out of
+///         range, or if `number_of_neighbors` is given and groups of base points have no neighbors in
+///         each other
 /// \throws Cancelled if the callback returns false
 ///
 /// The front of each base point ends at the neighbors of its neighbors. With ten neighbors, all
 /// fronts together visit each vertex fewer than twenty times. They take O(n log n) time,
-/// independently of the number of base points.
+/// independently of the number of base points. If the default number of neighbors is increased, time
+/// and memory are proportional to it.
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
 std::vector<typename internal::Surface_traits<Surface_of<Surface>>::Vertex>
@@ -99,15 +102,17 @@ geodesic_lle(const Surface& surface, UVMap uv_map, const NamedParameters& np = N
       domain, uv_map, np, internal::suitable_number_of_base_points(*domain.triangles()),
       [&](const auto& triangles, const auto& sampling, const auto& front, const auto& callback)
       {
-        const internal::Base_points base = internal::nearest_base_points(
-            triangles, sampling, front, internal::number_of_nearest_for(neighbors), callback);
-        if(base.size() == 0)
+        constexpr bool can_grow =
+            !internal::has_parameter<NamedParameters, internal_np::number_of_neighbors_t>;
+        const internal::Embedded_base_points found =
+            embed_samples(triangles, sampling, front, neighbors, can_grow, callback);
+        if(found.base.size() == 0)
           return std::vector<internal::Vec2>();
-        const std::vector<internal::Vec2> positions = embed_base_points(base, neighbors);
-        if(positions.empty())
+        if(found.positions.empty())
           throw Invalid_argument_error(
               "The neighbor graph of the base points is not connected: use more neighbors.");
-        std::vector<internal::Vec2> image = extend_embedding(base, positions, neighbors);
+        std::vector<internal::Vec2> image =
+            extend_embedding(found.base, found.positions, found.neighbors);
         orient_positively(triangles, image);
         untangle(triangles, image);
         return image;

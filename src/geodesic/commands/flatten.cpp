@@ -23,8 +23,7 @@ using UV = std::array<double, 2>;
 struct Flatten_options
 {
   std::string method = "glle";
-  std::optional<std::size_t> base_points;
-  std::size_t neighbors = 10;
+  std::optional<std::size_t> base_points, neighbors;
   bool is_injective = false, draws_plane = false;
 };
 
@@ -43,9 +42,10 @@ void flatten_surface(const Surface_type& surface, const Flatten_options& options
     const auto flatten = [&](const auto& parameters)
     {
       const auto base =
-          options.method == "mds"
-              ? GP::geodesic_mds(domain, map, parameters)
-              : GP::geodesic_lle(domain, map, parameters.number_of_neighbors(options.neighbors));
+          options.method == "mds" ? GP::geodesic_mds(domain, map, parameters)
+          : options.neighbors
+              ? GP::geodesic_lle(domain, map, parameters.number_of_neighbors(*options.neighbors))
+              : GP::geodesic_lle(domain, map, parameters);
       job.result()["base_points"] = base.size();
     };
     if(options.base_points)
@@ -185,9 +185,9 @@ void add_flatten(CLI::App& program)
   command.add("--base-points", options->base_points, "N",
               "number of base points of glle and mds (default 200; more for glle if the patch "
               "is narrow)");
-  command
-      .add("--neighbors", options->neighbors, "K", "number of neighbors of each base point of glle")
-      .shows_default();
+  command.add("--neighbors", options->neighbors, "K",
+              "number of neighbors of each base point of glle (default 10; more if base points "
+              "would form disconnected groups)");
   command.add_flag("--injective", options->is_injective,
                    "remove inverted faces, then minimize the distortion");
   command.add_flag("--flat", options->draws_plane,

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 // Geodesic locally linear embedding (Peyré and Cohen 2005, section 3).
@@ -38,6 +39,22 @@ Eigen::MatrixXd classical_scaling(const Eigen::MatrixXd& squares);
 // Returns an empty vector if it is still not connected or if there are fewer than three base points.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbors);
+
+// Base points and their images in the plane.
+struct Embedded_base_points
+{
+  Base_points base;            // empty if the callback cancelled
+  std::size_t neighbors = 0;   // number of neighbors of each base point
+  std::vector<Vec2> positions; // empty if the graph of neighbors is not connected
+};
+
+// Computes the nearest base points of each vertex and embeds them.  If `can_grow` is true and the
+// graph of neighbors is not connected, the number of neighbors is increased to the smallest one for
+// which it is, plus `neighbors`.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Embedded_base_points embed_samples(const Surface_arrays& triangles, const Sampling& sampling,
+                                   const Front& front, std::size_t neighbors, bool can_grow,
+                                   const std::function<bool(double)>& callback = {});
 
 // Extends an embedding of the base points to all vertices.  The map is continuous, interpolates the
 // images of the base points, and is linear if the surface is a piece of the plane.  Vertices
