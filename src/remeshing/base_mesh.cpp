@@ -80,6 +80,7 @@ public:
     if(!trace_features() || !trace_edges())
       return std::nullopt;
     split_shortcuts();
+    split_duplicate_edges();
     if(!label_regions())
       return std::nullopt;
     finish();
@@ -320,6 +321,35 @@ private:
                               edges_of_q.end();
                      }))
         m_mesh.split_edge(h, 0.5);
+    }
+  }
+
+  // If several edges connect the same two vertices, splits those that are not labeled, except one. A
+  // map that is linear in each triangle would map them, and all that they enclose, onto a segment.
+  void split_duplicate_edges()
+  {
+    using Ends = std::pair<Index, Index>;
+    const auto ends = [&](Index h) -> Ends
+    { return std::minmax(m_mesh.source(h), m_mesh.target(h)); };
+    std::vector<std::pair<Ends, Index>> edges;
+    for(Index h = 0; h < t().corner.size(); ++h)
+      if(!(t().twin[h] < h))
+        edges.emplace_back(ends(h), h);
+    std::sort(edges.begin(), edges.end());
+    for(std::size_t i = 1; i < edges.size(); ++i)
+    {
+      if(edges[i].first != edges[i - 1].first)
+        continue;
+      // A split changes the numbers of some halfedges, but not their ends.
+      const auto [p, q] = edges[i].first;
+      bool is_first = true;
+      for(const Index h : m_mesh.halfedges_around(p))
+        if(ends(h) == edges[i].first && m_mesh.labels()[h] == none &&
+           !std::exchange(is_first, false))
+        {
+          m_mesh.split_edge(h, 0.5);
+          break;
+        }
     }
   }
 

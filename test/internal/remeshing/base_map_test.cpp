@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/subdivision/subdivision.h>
 
 #include "Array_surface.h"
+#include "pockets.h"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,24 @@ TEST(Base_map, has_no_folded_triangles)
       // The images cover each base triangle. As they are positively oriented, the map is bijective.
       for(const double twice : area)
         EXPECT_NEAR(twice, 1., 1e-12);
+    }
+  }
+}
+
+// A pocket between two edges of the same vertices has no image with straight edges, unless one of
+// the edges is split.
+TEST(Base_map, has_no_folded_triangles_in_pockets)
+{
+  for(const std::size_t number_of_pockets : {1u, 10u, 40u})
+  {
+    const auto surface = with_pockets(icosphere(2), number_of_pockets);
+    Remeshing_options options;
+    options.number_of_samples = 30;
+    const auto base = std::make_shared<const Base_mesh>(build_base_mesh(surface, options));
+    for(const Base_coordinates kind : kinds)
+    {
+      const Base_map map(base, kind);
+      EXPECT_EQ(map.number_of_flips(), 0u) << number_of_pockets << " pockets";
     }
   }
 }

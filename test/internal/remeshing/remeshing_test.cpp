@@ -9,12 +9,11 @@
 #include <CGAL/Geodesic_processing/internal/mesh/refinement.h>
 
 #include "Array_surface.h"
+#include "pockets.h"
 #include "topology.h"
 
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <random>
 #include <set>
 
 namespace remeshing_test {
@@ -401,33 +400,11 @@ TEST(Remeshing, handles_degenerate_input)
   EXPECT_TRUE(remeshed(Array_surface(Triangulation()), 10).triangles.empty());
 }
 
-// Opens edges of a sphere and inserts a pocket of two triangles into each. The new vertex of a
-// pocket has two faces, and further pockets are inserted into edges of pockets.
-std::shared_ptr<const Surface_arrays> sphere_with_pockets(std::size_t number)
-{
-  Triangulation sphere = icosphere(1);
-  std::vector<Index> twin = twins_of_soup(sphere.points.size(), sphere.corners);
-  std::mt19937 generator(0);
-  for(std::size_t i = 0; i < number; ++i)
-  {
-    const Index h = Index(generator() % twin.size()), opposite = twin[h],
-                vertex = Index(sphere.points.size()), begin = Index(twin.size());
-    const Index a = sphere.corners[h], b = sphere.corners[next_halfedge(h)];
-    sphere.points.push_back(1.5 * (sphere.points[a] + sphere.points[b]));
-    sphere.corners.insert(sphere.corners.end(), {a, b, vertex, b, a, vertex});
-    twin.insert(twin.end(), {opposite, begin + 5, begin + 4, h, begin + 2, begin + 1});
-    twin[opposite] = begin;
-    twin[h] = begin + 3;
-  }
-  return std::make_shared<const Surface_arrays>(
-      build_mesh_arrays(sphere.points, sphere.corners, twin).arrays);
-}
-
 TEST(Remeshing, preserves_topology_at_vertices_of_two_faces)
 {
   for(const std::size_t number_of_pockets : {1u, 5u, 20u})
   {
-    const auto surface = sphere_with_pockets(number_of_pockets);
+    const auto surface = with_pockets(icosphere(1), number_of_pockets);
     for(const double sharp_angle : {30., infinity})
       for(const std::size_t number : {10u, 200u})
       {
