@@ -55,8 +55,9 @@ constexpr int number_of_smoothing_steps = 20;
 // Rounds in which samples are added at self-intersections. On models without self-intersections of
 // their own at most five were needed (in the folds of a brain).
 constexpr int max_intersection_rounds = 10;
-// Rounds in which edges are split because all vertices of an invalid cell are samples. Two
-// triangles with the same three vertices need one or two.
+// Rounds in which edges are split because all vertices of an invalid cell are samples. Two edges
+// with the same end vertices need one or two. Two feature edges need one more round each time that
+// their distance is halved.
 constexpr int max_refinements = 20;
 
 // Rounds in which samples are added to invalid cells. In the first ones, each invalid cell gets one
@@ -296,17 +297,19 @@ private:
         continue;
       }
       Topology_check check = check_topology(m_surface, *m_sampling, cells);
-      if(!check.is_valid())
-        repair(cells, check);
-      else if(optimize(cells, std::move(check.dual.triangles)))
+      const bool is_final = check.is_valid() ? optimize(cells, std::move(check.dual.triangles))
+                                             : !repair(cells, check);
+      if(is_final)
         return true;
     }
   }
 
-  void repair(const Cells& cells, const Topology_check& check)
+  // Adds samples, or splits edges if there are no candidates. Returns false if a limit is reached
+  // and the result is therefore final.
+  bool repair(const Cells& cells, const Topology_check& check)
   {
     if(++m_number_of_repairs > max_repairs)
-      throw_no_topology();
+      return stop_repairs();
     const std::size_t number_of_additional =
         m_number_of_repairs <= max_single_repairs
             ? 0
@@ -315,8 +318,22 @@ private:
         repair_topology(m_surface, *m_sampling, cells, check, number_of_additional);
     if(!found.samples.empty())
       m_sampling->add(found.samples);
+    else if(++m_number_of_refinements > max_refinements)
+      return stop_repairs();
     else
       refine_unresolved(cells, found.unresolved);
+    return true;
+  }
+
+  // Stores the valid mesh before samples were added at self-intersections as the result. Throws if
+  // there is none. Returns false.
+  bool stop_repairs()
+  {
+    if(!m_fallback)
+      throw Unsupported_surface_error("The samples cannot be triangulated with the topology of "
+                                      "the mesh, even after refinement.");
+    m_result = std::move(*m_fallback);
+    return false;
   }
 
   // Builds the mesh of valid cells. Returns true if it is the result; otherwise adds samples.
@@ -336,18 +353,11 @@ private:
     return false;
   }
 
-  [[noreturn]] static void throw_no_topology()
-  {
-    throw Unsupported_surface_error("The samples cannot be triangulated with the topology of the "
-                                    "mesh, even after refinement.");
-  }
-
   // Splits the edges of all triangles at the given cells. Needed if all vertices of these cells are
-  // samples, and their dual is still no surface because two triangles have the same three vertices.
+  // samples, and their dual is still no surface, because two edges have the same end vertices or two
+  // feature edges are close to each other.
   void refine_unresolved(const Cells& cells, const std::vector<Index>& unresolved)
   {
-    if(++m_number_of_refinements > max_refinements)
-      throw_no_topology();
     std::vector<bool> is_unresolved(cells.samples.size(), false),
         is_split(t().corner.size(), false);
     for(const Index cell : unresolved)

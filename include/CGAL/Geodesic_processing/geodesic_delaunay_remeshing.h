@@ -188,8 +188,9 @@ struct Remeshing_result
 /// \throws Invalid_argument_error if a location or a speed is not usable, or if a nonzero number is
 ///         too small and `Too_few_samples::are_wrong` is set. The output is then unchanged
 /// \throws Unsupported_surface_error if no surface can be reconstructed from the surfels of a
-///         cloud, if it has too many components, or if 400 rounds of additional samples do not
-///         make the topology of the result that of the surface
+///         cloud, if it has too many components, or if 400 rounds of additional samples, 20 of
+///         which may split edges of the surface instead, do not make the topology of the
+///         result that of the surface
 /// \throws Cancelled if the callback returns false
 ///
 /// Takes about the time of the sampling.

@@ -421,6 +421,31 @@ TEST(Remeshing, preserves_topology_at_vertices_of_two_faces)
   }
 }
 
+// Two copies of a flat triangle. One has further vertices, some of them very close to edges. Faces
+// of the result intersect. The samples that are added there cannot be triangulated.
+TEST(Remeshing, keeps_valid_mesh_if_further_samples_fail)
+{
+  const Array_surface surface({{{0.087626334994670693, -0.16393173899850538, -0.41633638244042892},
+                                {0.77667372548431124, -0.93322222540096378, -0.0098262906296432764},
+                                {-1.1453571020931228, 1.2375496040228495, 0.57683202861173721},
+                                {0.54950155169115655, -0.67886596791999465, -0.093515957493400081},
+                                {0.011359440299681929, -0.069397021176356224, 0.1869702788415421},
+                                {0.55991048793894516, -0.69050862932333423, -0.088863649390810429},
+                                {0.56172900677787474, -0.69254488919841939, -0.088202813419911208},
+                                {0.63265815891166943, -0.77196547188549647, -0.062338036010649273},
+                                {0.77558313432569093, -0.93200107136698984, -0.010223947753467012}},
+                               {0, 1, 3, 0, 2, 1, 1, 2, 4, 2, 0, 3, 2, 3, 4, 3, 1, 6, 1, 4, 5,
+                                4, 3, 5, 1, 5, 8, 5, 3, 6, 5, 6, 7, 6, 1, 7, 5, 7, 8, 7, 1, 8}});
+  Remeshing_options options;
+  options.number_of_samples = 20;
+  options.is_feature = boundary_and_sharp_halfedges(surface.t(), 30.);
+  for(const bool does_avoid : {false, true})
+  {
+    options.does_avoid_self_intersections = does_avoid;
+    expect_same_topology(surface, remesh(surface.triangles(), options), 20);
+  }
+}
+
 TEST(Remeshing, can_be_cancelled)
 {
   const Array_surface surface(icosphere(4));
