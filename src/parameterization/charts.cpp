@@ -137,15 +137,18 @@ std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
     energy = minimize_symmetric_dirichlet(surface, chart.image, options.max_steps, {},
                                           options.energy_tolerance)
                  .energy;
-  const bool is_too_distorted =
-      energy > (surface.number_of_vertices() > max_vertices_for_tutte ? max_mean_energy
-                                                                      : max_mean_energy_of_few);
+  const double max_energy = surface.number_of_vertices() > max_vertices_for_tutte
+                                ? max_mean_energy
+                                : max_mean_energy_of_few;
+  const bool is_too_distorted = energy > max_energy;
   if(!is_too_distorted)
   {
     if(is_injective(chart))
       return {};
     std::swap(chart.image, initial_image);
-    if(has_initial_image && is_injective(chart))
+    // It is a part of the map of a larger chart, which can be too distorted.
+    if(has_initial_image && is_injective(chart) &&
+       minimize_symmetric_dirichlet(surface, chart.image, 0).energy <= max_energy)
       return {};
     std::swap(chart.image, initial_image);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/charts.h>
 #include <CGAL/Geodesic_processing/internal/numerics/singular_values.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
 
 #include "Array_surface.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 namespace charts_test {
@@ -122,6 +124,31 @@ TEST(charts, overlapping_spiral_is_cut)
       EXPECT_TRUE(is_injective(chart));
   }
   EXPECT_EQ(charts_of(spiral_stairs(0.8, 1.)).size(), 1u);
+}
+
+// A sphere with random spikes, without one triangle. A map of the whole surface is too distorted.
+Triangulation spiky_sphere(unsigned seed)
+{
+  Triangulation result = icosphere(1);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> exponent(-2., 2.);
+  for(Point& p : result.points)
+  {
+    const double radius = std::pow(10., exponent(random));
+    for(double& x : p)
+      x *= radius;
+  }
+  result.corners.resize(result.corners.size() - 3);
+  return result;
+}
+
+// The image of a piece of a chart that is too distorted is not used for the piece.
+TEST(charts, charts_are_not_too_distorted)
+{
+  for(unsigned seed = 0; seed < 40; ++seed)
+    for(Chart& chart : charts_of(spiky_sphere(seed)))
+      // The limit of the implementation for charts of few vertices
+      EXPECT_LE(minimize_symmetric_dirichlet(chart.surface, chart.image, 0).energy, 100.) << seed;
 }
 
 TEST(charts, overlapping_image_is_not_injective)
