@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/transport/continuous_flow.h>
+#include "transport/Spanning_forest.h"
 #include "transport/uniform_refinement.h"
 #include "core/unfold.h"
 
@@ -308,7 +309,15 @@ double Multilevel_transport_solver::cost_of_flow(const Field& flow) const
 {
   const Level& fine = m_levels.back();
   const auto open_mesh = cut_open(fine.triangles, fine.metric);
-  return continuous_flow(*open_mesh, operators(*open_mesh), flow, cut_open(fine.metric)).cost;
+  const Operators o = operators(*open_mesh);
+  const double cost = continuous_flow(*open_mesh, o, flow, cut_open(fine.metric)).cost;
+  // The flow on triangles without area, which are thickened to compute it, is moved along edges.
+  const Vector masses =
+      minus_divergence(operators(*open_mesh, Degenerate_triangles::thickened), flow) -
+      minus_divergence(o, flow);
+  return masses.isZero(0.)
+             ? cost
+             : cost + Spanning_forest(metric_operators(*fine.triangles, fine.metric)).cost(masses);
 }
 
 std::shared_ptr<const Surface_arrays> Multilevel_transport_solver::open_triangles() const
@@ -476,7 +485,8 @@ Multilevel_transport_solver::transport_masses(Mass_distribution masses,
     if(!is_blocked(metric[f]))
       result.flow[f] = product(inverse(metric[f]), result.flow[f]);
   if(options.do_bound_from_above)
-    result.upper_continuous = cost_of_flow(result.flow) + cost_to_vertices(solution.masses);
+    result.upper_continuous =
+        cost_of_flow(result.flow) + result.remaining_cost + cost_to_vertices(solution.masses);
   rescale(result, m_levels.back().triangles->scale);
   const std::size_t finest = m_levels.size() - 1;
   if(finest > base_level())

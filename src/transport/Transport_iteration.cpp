@@ -119,11 +119,12 @@ void Transport_iteration::update_upper_bound(Field flow, const Vector& outflow)
   const double cost = integrated_length(operators(), flow, fixed_cost);
   if(!(cost < m_best.upper))
     return;
-  const double correction = correct(outflow, negligible_error * cost, flow);
-  const double upper = integrated_length(operators(), flow, fixed_cost) + correction;
+  const double remaining_cost = correct(outflow, negligible_error * cost, flow);
+  const double upper = integrated_length(operators(), flow, fixed_cost) + remaining_cost;
   if(!(upper < m_best.upper))
     return;
   m_best.upper = upper;
+  m_best.remaining_cost = remaining_cost;
   m_best.flow = std::move(flow);
   m_best.outflow = outflow;
 }

@@ -154,6 +154,7 @@ Transport_result Transport_solver::solve(const Vector& masses, const Transport_o
       (minus_divergence(m_operators, result.flow) - normalized_masses).lpNorm<Eigen::Infinity>();
   result.lower *= moved_mass;
   result.upper *= moved_mass;
+  result.remaining_cost *= moved_mass;
   result.value = result.estimate = 0.5 * (result.lower + result.upper);
   result.outflow = moved_mass * outflow;
   for(Vec2& vector : result.flow)

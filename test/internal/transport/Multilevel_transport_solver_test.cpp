@@ -68,6 +68,31 @@ TEST(Multilevel_transport_solver, bounds_enclose_exact_distance)
   }
 }
 
+// All points are on a line, so that the flow does not move most of the masses.
+TEST(Multilevel_transport_solver, bounds_contain_the_distance_on_a_surface_without_area)
+{
+  Triangulation strip;
+  for(Index i = 0; i < 30; ++i)
+  {
+    strip.points.push_back({0.1 * i, 0.03 * i, -0.02 * i});
+    if(i > 1)
+      strip.corners.insert(strip.corners.end(),
+                           {i - 2, i % 2 == 0 ? i - 1 : i, i % 2 == 0 ? i : i - 1});
+  }
+  const Array_surface surface(strip);
+  const Multilevel_transport_solver solver(surface.triangles(), 0);
+  for(const Index to : {Index(1), Index(7), Index(29)})
+  {
+    const double exact = double(to) * std::sqrt(0.1 * 0.1 + 0.03 * 0.03 + 0.02 * 0.02);
+    const Transport_result found =
+        solver.solve(at(surface.at(0)), at(surface.at(to)), with_tolerance(1e-4, true));
+    // Slopes have relative errors up to the round-off errors of heights.
+    EXPECT_LE(found.lower, exact * (1. + 1e-6));
+    EXPECT_LE(found.lower, found.upper);
+    EXPECT_GE(found.upper_continuous, exact * (1. - round_off));
+  }
+}
+
 TEST(Multilevel_transport_solver, converges_under_refinement)
 {
   const Array_surface surface(jittered(icosphere(2), 0.03));

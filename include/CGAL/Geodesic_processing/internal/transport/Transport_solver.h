@@ -53,11 +53,12 @@ struct Exit
 // refinement.
 struct Transport_result : Earth_movers_cost
 {
-  Vector potential;  // #vertices: increases along the flow, by at most 1 per unit of length
-  Field flow;        // #triangles: mass per unit length of a line across it
-  Vector outflow;    // #exits: the mass that leaves through each; Transport_solver only
-  Admm::State state; // the final state of `admm`
-  Vector arrivals;   // #vertices: mass that arrives in the region; solve_to_region() only
+  Vector potential; // #vertices: increases along the flow, by at most 1 per unit of length
+  Field flow;       // #triangles: mass per unit length of a line across it
+  double remaining_cost = 0.; // the part of `upper` for the masses that the flow does not move
+  Vector outflow;             // #exits: the mass that leaves through each; Transport_solver only
+  Admm::State state;          // the final state of `admm`
+  Vector arrivals;            // #vertices: mass that arrives in the region; solve_to_region() only
   Mass_distribution from, to; // as they were moved; of solve_to_region() only `from`
 };
 
@@ -65,8 +66,8 @@ struct Transport_result : Earth_movers_cost
 // coordinates.
 inline void rescale(Transport_result& result, double scale)
 {
-  for(double* cost :
-      {&result.value, &result.lower, &result.upper, &result.upper_continuous, &result.estimate})
+  for(double* cost : {&result.value, &result.lower, &result.upper, &result.upper_continuous,
+                      &result.estimate, &result.remaining_cost})
     *cost *= scale;
   result.potential *= scale;
   for(Vec2& vector : result.flow)
