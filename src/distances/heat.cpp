@@ -79,7 +79,8 @@ struct Deposit
 };
 
 // Distributes the heat of the sources to vertices.  A point has heat 1, divided by its barycentric
-// coordinates.  A segment has half of its length, in units of `diffusion_length`, at each end.
+// coordinates.  A segment has half of its length, in units of `diffusion_length`, at each end.  A
+// polyline of length zero is a point.
 std::vector<Deposit> deposits_of(const Surface_arrays& t, double diffusion_length,
                                  const std::vector<Front_source>& sources)
 {
@@ -98,7 +99,7 @@ std::vector<Deposit> deposits_of(const Surface_arrays& t, double diffusion_lengt
   };
   for(const Front_source& source : sources)
   {
-    if(source.polyline.size() == 1)
+    if(!source.polyline.empty() && !(polyline_length(t, source.polyline) > 0.))
       deposit(source.polyline[0], 1., source.offset);
     for(std::size_t i = 1; i < source.polyline.size(); ++i)
     {

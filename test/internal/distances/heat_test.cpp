@@ -77,6 +77,14 @@ TEST(Heat, adds_offset_of_source)
             0.05); // error of the method on a mesh of 40 x 40 cells
 }
 
+TEST(Heat, polyline_without_length_is_a_point)
+{
+  const Array_surface surface(icosphere(2));
+  const Surface_location location = {5, none, {0.5, 0.25, 0.25}};
+  const auto expected = heat_distances(surface, {Front_source{{location}, 0.5}});
+  EXPECT_EQ(heat_distances(surface, {Front_source{{location, location}, 0.5}}), expected);
+}
+
 TEST(Heat, is_accurate_in_each_component)
 {
   Triangulation surface = disjoint_union(square(20, 0.24), icosphere(3));
