@@ -300,6 +300,17 @@ TEST(Transport_metric, is_infinite_between_components)
   }
 }
 
+TEST(Transport_metric, accepts_surfaces_without_eigenfunctions)
+{
+  // All vertices are on the boundary, where the eigenfunctions are zero.
+  const Mesh mesh = mesh_of(cylinder(3, 1, 2., 1.));
+  const GP::Transport_metric<Mesh> metric(mesh, 3);
+  EXPECT_EQ(metric.basis_size(), 0u);
+  const GP::Earth_movers_cost cost = metric.cost(Vertex(0), Vertex(1));
+  EXPECT_GT(cost.lower, 0.);
+  EXPECT_LE(cost.lower, cost.upper);
+}
+
 TEST(Transport_metric, can_be_cancelled)
 {
   Mesh mesh = mesh_of(icosphere(1));

@@ -364,8 +364,11 @@ Spectral_transport::Spectral_transport(std::shared_ptr<const Surface_arrays> tri
       gradients(m_operators, eigen.function * eigen.value.cwiseSqrt().cwiseInverse().asDiagonal());
   const Matrix& harmonic = m_particular->harmonic_fields();
   m_basis.resize(2 * n, slopes.cols() + harmonic.cols());
-  m_basis.topLeftCorner(n, slopes.cols()) = -slopes.bottomRows(n);
-  m_basis.bottomLeftCorner(n, slopes.cols()) = slopes.topRows(n);
+  if(slopes.cols() > 0) // otherwise slopes.data() is null
+  {
+    m_basis.topLeftCorner(n, slopes.cols()) = -slopes.bottomRows(n);
+    m_basis.bottomLeftCorner(n, slopes.cols()) = slopes.topRows(n);
+  }
   m_basis.rightCols(harmonic.cols()) = harmonic;
   if(m_triangles->is_cloud())
     m_basis = m_particular->without_gradients(m_basis);
