@@ -158,9 +158,11 @@ private:
       if(d == infinity || is_heat)
         continue;
       require_at_most(query.lowest_offset, d, tolerance(d), "distances are not below the offset");
+      // The front divides a polyline into short pieces, so it is not exact around polylines.
       if constexpr(is_mesh && !std::is_same_v<Method, GP::Fast_marching>)
-        require_at_most(d, along_edges, tolerance(along_edges),
-                        "no distance exceeds the length of a path along edges");
+        if(is_exact<Method> || !query.points.empty())
+          require_at_most(d, along_edges, tolerance(along_edges),
+                          "no distance exceeds the length of a path along edges");
       double straight = query.points.empty() ? -infinity : infinity;
       for(const auto& [p, offset] : query.points)
         straight = std::min(straight, offset + length_of(point(vertex_of(m_surface, i)) - p));
@@ -177,10 +179,10 @@ private:
       {
         const auto h = halfedge(e, m_surface);
         const Vertex a = source(h, m_surface), b = target(h, m_surface);
-        if(!(found[a] < infinity) && !(found[b] < infinity))
-          continue;
         const double length = length_of(point(a) - point(b));
-        require_at_most(std::abs(found[a] - found[b]), length, tolerance(found[a]),
+        require_at_most(found[a], found[b] + length, tolerance(found[a]),
+                        "along an edge the distance changes by at most its length");
+        require_at_most(found[b], found[a] + length, tolerance(found[a]),
                         "along an edge the distance changes by at most its length");
       }
   }
@@ -414,9 +416,11 @@ private:
       require_near(together[i], d, tolerance(d), "distances of many locations are those of one");
       if constexpr(is_exact<Method>)
         for(const Vertex v : m_surface.vertices_around_face(m_surface.halfedge(locations[i].first)))
-          require_at_most(std::abs(d - found[v]),
-                          length_of(m_domain.point(locations[i]) - point(v)), tolerance(found[v]),
-                          "in a face the distance has slope one");
+        {
+          const double length = length_of(m_domain.point(locations[i]) - point(v));
+          require_at_most(d, found[v] + length, tolerance(found[v]), "the slope is at most one");
+          require_at_most(found[v], d + length, tolerance(found[v]), "the slope is at most one");
+        }
     }
     solver.compute(query.sources, GP::parameters::targets(locations));
     for(std::size_t i = 0; i < locations.size(); ++i)

@@ -517,10 +517,19 @@ inline GP::Location<Cloud> random_location(Bytes& in, const Cloud& cloud)
 inline bool has_locations(const Mesh& mesh) { return mesh.number_of_faces() > 0; }
 inline bool has_locations(const Cloud& cloud) { return cloud.size() > 0; }
 
+// Returns whether a location has the null face, which stands for a vertex without faces.
+inline bool is_isolated(const GP::Location<Mesh>& location)
+{
+  return location.first == Mesh::null_face();
+}
+inline bool is_isolated(const GP::Location<Cloud>&) { return false; }
+
 // Checks that a location is on the surface: domain.point() refuses other ones.
 template <typename Domain, typename Location>
 void require_valid(const Domain& domain, const Location& location)
 {
+  if(is_isolated(location))
+    return;
   const Point p = domain.point(location);
   require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
           "points of locations are finite");
@@ -537,7 +546,7 @@ void require_valid_path(const Domain& domain, const Path& path, double tolerance
   {
     require_valid(domain, path.locations[i]);
     // On a cloud, a location is the projection of the point to a tangent plane.
-    if constexpr(std::is_same_v<typename Domain::Surface, Mesh>)
+    if(std::is_same_v<typename Domain::Surface, Mesh> && !is_isolated(path.locations[i]))
       require_at_most(length_of(path.points[i] - domain.point(path.locations[i])), 0., tolerance,
                       "the points of a path are those of its locations");
   }

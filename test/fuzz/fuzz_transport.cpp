@@ -473,7 +473,8 @@ private:
       double total = 0.;
       for(std::size_t i = 0; i < masses.size(); ++i)
       {
-        require(masses[i] >= -1e-9, "masses of a barycenter are not negative");
+        require_at_most(-masses[i], 0., 1e-6 + cost.residual,
+                        "masses of a barycenter are not negative");
         total += solver->mass(vertex_of(m_surface, i)) == masses[i] ? masses[i] : infinity;
       }
       if constexpr(!is_mesh)
@@ -511,8 +512,8 @@ private:
                       "lower bounds also hold for geodesic distances");
     double arrived = 0.;
     for(std::size_t i = 0; i < size_of(m_surface); ++i)
-      require(solver->arrival(vertex_of(m_surface, i)) >= -1e-9,
-              "arriving masses are not negative");
+      require_at_most(-solver->arrival(vertex_of(m_surface, i)), 0., 1e-6 + cost.residual,
+                      "arriving masses are not negative");
     if constexpr(!is_mesh)
     {
       for(std::size_t i = 0; i < size_of(m_surface); ++i)
