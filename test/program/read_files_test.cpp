@@ -380,10 +380,12 @@ TEST(Read_files, corrupted_files_are_rejected_or_valid)
   std::size_t files = 0, good = 0, bad = 0;
   for(const auto& entry : std::filesystem::recursive_directory_iterator(corpus))
   {
-    if(!entry.is_regular_file() || entry.path().parent_path().filename() == "decompress")
+    // Other folders have no files of a reader.
+    const auto found = readers.find(entry.path().parent_path().filename().string());
+    if(!entry.is_regular_file() || found == readers.end())
       continue;
     ++files;
-    const Reader read = readers.at(entry.path().parent_path().filename().string());
+    const Reader read = found->second;
     std::ifstream file(entry.path(), std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
     const auto attempt = [&](const std::string& changed)
