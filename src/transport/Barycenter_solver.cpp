@@ -117,6 +117,7 @@ public:
     result.is_converged = gap() <= options.tolerance;
     result.lower = m_lower;
     result.upper = m_upper;
+    result.distances = m_distances;
     result.masses = m_barycenter;
     result.flows = std::move(m_flows);
     for(Eigen::Index i = 0; i < m_potentials.cols(); ++i)
@@ -278,6 +279,7 @@ private:
       rhs.col(Eigen::Index(i)) = m_masses[i] - masses - minus_divergence(m_operators, flows[i]);
     m_solver.m_solver->solve_columns(rhs);
     double upper = 0.;
+    std::vector<double> distances;
     for(std::size_t i = 0; i < size(); ++i)
     {
       gradient(m_operators, rhs.col(Eigen::Index(i)), m_gradient);
@@ -286,10 +288,12 @@ private:
       const Vector error = m_masses[i] - masses - minus_divergence(m_operators, flows[i]);
       const double distance = integrated_length(m_operators, flows[i], m_forest.cost(error));
       upper += m_weights[i] * distance * distance;
+      distances.push_back(distance);
     }
     if(!(upper < m_upper))
       return;
     m_upper = upper;
+    m_distances = std::move(distances);
     m_barycenter = masses;
     m_flows = std::move(flows);
   }
@@ -330,6 +334,7 @@ private:
   Barycenter_state m_state;
   unsigned m_number_of_checks = 0;
   double m_upper = infinity, m_lower = 0.;
+  std::vector<double> m_distances; // #masses: their weighted sum of squares is m_upper
   Vector m_barycenter;
   std::vector<Field> m_flows;
   Columns m_potentials;
@@ -446,7 +451,7 @@ Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
     for(Vec2& vector : result.flows[i])
       vector = total * vector;
     result.potentials[i] *= total;
-    result.distances.push_back(integrated_length(m_operators, result.flows[i]));
+    result.distances[i] *= total;
   }
   result.masses *= total;
   const double scale = weight * total * total;

@@ -123,6 +123,24 @@ TEST(Barycenter_solver, bounds_are_certified)
   }
 }
 
+// On needles, the flows do not move all masses.  The distances contain the cost of the remaining
+// ones.
+TEST(Barycenter_solver, distances_of_needles_are_upper_bounds)
+{
+  for(const double height : {1e-3, 1e-6, 1e-9})
+  {
+    const Array_surface surface(Triangulation{
+        {{0., 0., 0.}, {1., 0., 0.}, {0., height, 0.}, {1., height, 0.}}, {0, 1, 3, 0, 3, 2}});
+    const Barycenter_result found = Barycenter_solver(operators(surface.t()))
+                                        .solve({at(surface, {0}), at(surface, {1})}, {1., 1.});
+    const double sum_of_squares =
+        found.distances[0] * found.distances[0] + found.distances[1] * found.distances[1];
+    // The minimum is attained by the midpoint of two points at distance one.
+    EXPECT_GE(sum_of_squares, 0.5 - round_off) << height;
+    EXPECT_NEAR(sum_of_squares, found.upper, round_off) << height;
+  }
+}
+
 // Computes the distances from the barycenter to the masses by the interior point method.
 TEST(Barycenter_solver, agrees_with_transport_distances)
 {
