@@ -311,6 +311,15 @@ TEST(Transport_metric, accepts_surfaces_without_eigenfunctions)
   EXPECT_LE(cost.lower, cost.upper);
 }
 
+TEST(Transport_metric, accepts_triangles_without_area)
+{
+  // Vertices 0 and 1 coincide, so that the gradients of the eigenfunctions are zero.
+  const Mesh mesh =
+      mesh_of(Triangulation{{{0., 0., 0.}, {0., 0., 0.}, {0., 0., 1.}}, {2, 1, 0, 0, 1, 2}});
+  const GP::Transport_metric<Mesh> metric(mesh, 1);
+  EXPECT_FALSE(std::isnan(metric.distance(Vertex(0), Vertex(2))));
+}
+
 TEST(Transport_metric, can_be_cancelled)
 {
   Mesh mesh = mesh_of(icosphere(1));

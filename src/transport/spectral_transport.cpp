@@ -372,9 +372,11 @@ Spectral_transport::Spectral_transport(std::shared_ptr<const Surface_arrays> tri
   m_basis.rightCols(harmonic.cols()) = harmonic;
   if(m_triangles->is_cloud())
     m_basis = m_particular->without_gradients(m_basis);
+  if(m_basis.cols() > 0)
+    orthonormalize(m_basis);
+  // If no triangle has an area, the basis can be zero.
   if(m_basis.cols() == 0)
     return;
-  orthonormalize(m_basis);
   m_clusters = std::make_unique<Clusters>(*m_triangles, m_operators, m_basis);
 }
 
