@@ -484,6 +484,23 @@ Scale scale_of(const Surface& surface)
   return scale;
 }
 
+// Returns whether a triangle is a needle or a cap whose height is below 1e-7 of its longest edge, so
+// that half of the digits are lost.  The triangles of a cloud are unknown.
+inline bool has_needles(const Mesh& mesh)
+{
+  for(const auto f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    const Vector a = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h)),
+                 b = mesh.point(mesh.target(mesh.next(h))) - mesh.point(mesh.source(h));
+    const double longest = std::max({length_of(a), length_of(b), length_of(b - a)});
+    if(!(length_of(CGAL::cross_product(a / longest, b / longest)) > 1e-7))
+      return true;
+  }
+  return false;
+}
+inline bool has_needles(const Cloud&) { return true; }
+
 template <typename Surface>
 auto random_vertex(Bytes& in, const Surface& surface)
 {

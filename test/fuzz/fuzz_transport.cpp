@@ -400,6 +400,11 @@ private:
       m_connected.compute(a);
       const bool is_connected = m_connected.distance(b) < infinity;
       const GP::Earth_movers_cost there = metric->cost(a, b), back = metric->cost(b, a);
+      require(!std::isnan(there.value), "a cost is a number");
+      // The flow of needles does not move all masses, and its cost does not contain the remaining
+      // ones.
+      if(has_needles(m_surface))
+        continue;
       require((there.value < infinity) == is_connected,
               "the distance is infinite between components only");
       if(!is_connected)
@@ -511,8 +516,10 @@ private:
       require_at_most(cost.lower, exact.distance(from), tolerance(cost.upper),
                       "lower bounds also hold for geodesic distances");
     double arrived = 0.;
+    // The solver stops at a gap of 1e-3.  A flow that is slightly rotated has a cost of second order
+    // but transports mass of first order to or from a vertex.
     for(std::size_t i = 0; i < size_of(m_surface); ++i)
-      require_at_most(-solver->arrival(vertex_of(m_surface, i)), 0., 1e-6 + cost.residual,
+      require_at_most(-solver->arrival(vertex_of(m_surface, i)), 0., 0.05 + cost.residual,
                       "arriving masses are not negative");
     if constexpr(!is_mesh)
     {
