@@ -566,19 +566,15 @@ private:
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   Bytes in(data, size);
-  if(in.below(4) == 3)
-  {
-    const Cloud cloud = random_cloud(in, 30);
-    if(cloud.size() > 0)
-      Test<Cloud>(in, GP::make_domain(cloud), cloud).run();
-    return 0;
-  }
-  const Soup soup = random_soup(in, 20);
-  const bool does_merge = in.flag();
-  trace("merge", does_merge);
-  const GP::Soup_domain<Point> domain =
-      does_merge ? GP::make_domain(soup.points, soup.polygons, GP::parameters::merge_tolerance(0.))
-                 : GP::make_domain(soup.points, soup.polygons);
-  Test<Mesh>(in, domain, domain.mesh()).run();
+  run_on_random_surface<Test>(in, 4, 30, 20,
+                              [&](const Soup& soup)
+                              {
+                                const bool does_merge = in.flag();
+                                trace("merge", does_merge);
+                                return does_merge
+                                           ? GP::make_domain(soup.points, soup.polygons,
+                                                             GP::parameters::merge_tolerance(0.))
+                                           : GP::make_domain(soup.points, soup.polygons);
+                              });
   return 0;
 }

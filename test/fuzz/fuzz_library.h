@@ -4,8 +4,10 @@
 #define GEODESIC_PROCESSING_FUZZ_LIBRARY_H
 
 #include <CGAL/Geodesic_processing/Location.h>
+#include <CGAL/Geodesic_processing/Soup_domain.h>
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -574,6 +576,23 @@ void require_valid_path(const Domain& domain, const Path& path, double tolerance
                   "a path is not shorter than the straight line between its ends");
   require_at_most(path.lower, path.length, tolerance, "lower bounds are below the length");
   require_near(path.length, length, tolerance, "the length is that of the polyline");
+}
+
+// Runs Test<Cloud> on a random cloud for one of `period` inputs, otherwise Test<Mesh> on the mesh of
+// a random soup.  `domain_of` returns the domain of a soup.
+template <template <typename> class Test, typename Domain_of>
+void run_on_random_surface(Bytes& in, std::size_t period, std::size_t max_surfels,
+                           std::size_t max_triangles, const Domain_of& domain_of)
+{
+  if(in.below(period) == period - 1)
+  {
+    const Cloud cloud = random_cloud(in, max_surfels);
+    if(cloud.size() > 0)
+      Test<Cloud>(in, GP::make_domain(cloud), cloud).run();
+    return;
+  }
+  const GP::Soup_domain<Point> domain = domain_of(random_soup(in, max_triangles));
+  Test<Mesh>(in, domain, domain.mesh()).run();
 }
 
 } // namespace fuzz

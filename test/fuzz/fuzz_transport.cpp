@@ -548,15 +548,7 @@ private:
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   Bytes in(data, size);
-  if(in.below(4) == 3)
-  {
-    const Cloud cloud = random_cloud(in, 20);
-    if(cloud.size() > 0)
-      Test<Cloud>(in, GP::make_domain(cloud), cloud).run();
-    return 0;
-  }
-  const Soup soup = random_soup(in, 12);
-  const GP::Soup_domain<Point> domain(soup.points, soup.polygons);
-  Test<Mesh>(in, domain, domain.mesh()).run();
+  run_on_random_surface<Test>(
+      in, 4, 20, 12, [](const Soup& soup) { return GP::make_domain(soup.points, soup.polygons); });
   return 0;
 }
