@@ -55,7 +55,7 @@ constexpr bool is_memory_limited = true;
 TEST_F(Program, exits_with_2_if_memory_is_insufficient)
 {
   if(!is_memory_limited)
-    GTEST_SKIP();
+    GTEST_SKIP() << "The address sanitizer needs more memory than the limit.";
   write("large.off", bump(250));
   // If OpenBLAS cannot allocate a buffer, it repeats the allocation forever. With one thread, the
   // program starts without a buffer, and these commands need none.
@@ -95,7 +95,7 @@ TEST_F(Program, exits_with_2_if_memory_is_insufficient)
 TEST_F(Program, exits_with_3_if_disk_is_full)
 {
   if(!fs::exists("/dev/full"))
-    GTEST_SKIP();
+    GTEST_SKIP() << "There is no /dev/full.";
   for(const char* extension : {"ply", "off", "obj", "vtp", "txt", "png"})
     fs::create_symlink("/dev/full", m_folder / (std::string("full.") + extension));
   for(const char* extension : {"ply", "off", "obj", "vtp"})
