@@ -78,9 +78,9 @@ class Barycenter_solver::Admm
 public:
   Admm(const Barycenter_solver& solver, const std::vector<Vector>& masses,
        const std::vector<double>& weights, Barycenter_state start)
-      : m_solver(solver), m_operators(solver.m_operators), m_forest(m_operators), m_masses(masses),
-        m_weights(weights), m_total(solver.m_number_of_components, 0.),
-        m_threshold(masses.size(), 0.), m_state(std::move(start))
+      : m_solver(solver), m_operators(solver.m_operators), m_masses(masses), m_weights(weights),
+        m_total(solver.m_number_of_components, 0.), m_threshold(masses.size(), 0.),
+        m_state(std::move(start))
   {
     const std::size_t k = masses.size();
     for(std::size_t vertex = 0; vertex < solver.m_component.size(); ++vertex)
@@ -286,7 +286,8 @@ private:
       for(std::size_t f = 0; f < m_gradient.size(); ++f)
         flows[i][f] = flows[i][f] + m_gradient[f];
       const Vector error = m_masses[i] - masses - minus_divergence(m_operators, flows[i]);
-      const double distance = integrated_length(m_operators, flows[i], m_forest.cost(error));
+      const double distance =
+          integrated_length(m_operators, flows[i], m_solver.m_forest->cost(error));
       upper += m_weights[i] * distance * distance;
       distances.push_back(distance);
     }
@@ -326,7 +327,6 @@ private:
 
   const Barycenter_solver& m_solver;
   const Operators& m_operators;
-  Spanning_forest m_forest;
   const std::vector<Vector>& m_masses;
   const std::vector<double>& m_weights;
   std::vector<double> m_total;     // #components
@@ -353,6 +353,7 @@ Barycenter_solver::Barycenter_solver(Operators operators) : m_operators(std::mov
     if(!(lumped > 0.))
       lumped = m_area / double(m_lumped_mass.size());
   m_stiffness = stiffness_factor * m_area;
+  m_forest = std::make_shared<const Spanning_forest>(m_operators);
 
   const Laplacian laplacian(m_operators);
   Sparse_matrix matrix = laplacian.matrix(m_operators);

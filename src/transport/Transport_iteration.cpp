@@ -64,8 +64,7 @@ private:
 
 } // namespace
 
-Transport_iteration::Transport_iteration(const Transport_problem& problem)
-    : m_problem(problem), m_forest(problem.operators)
+Transport_iteration::Transport_iteration(const Transport_problem& problem) : m_problem(problem)
 {
   m_best.upper = infinity;
   m_best.potential = Vector::Zero(problem.masses.size());
@@ -97,14 +96,14 @@ double Transport_iteration::correct(const Vector& outflow, double negligible_cos
   const auto error = [&](const Field& flow) -> Vector
   { return masses - minus_divergence(operators(), flow); };
 
-  double cost = m_forest.cost(error(flow));
+  double cost = m_problem.forest.cost(error(flow));
   // Iterative refinement. If the matrix is too ill-conditioned, it does not converge.
   while(cost > negligible_cost)
   {
     Field corrected = gradient(operators(), m_problem.solver.solve(error(flow)));
     for(std::size_t f = 0; f < flow.size(); ++f)
       corrected[f] = flow[f] + corrected[f];
-    const double next = m_forest.cost(error(corrected));
+    const double next = m_problem.forest.cost(error(corrected));
     if(!(next < 0.5 * cost))
       break;
     cost = next;

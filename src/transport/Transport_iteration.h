@@ -21,9 +21,10 @@ struct Transport_problem
 {
   const Operators& operators;
   const Laplacian& laplacian;
-  const Sparse_matrix& matrix; // the Laplacian, pinned
-  const Sparse_solver& solver; // factorization of the matrix
-  const Vector& masses;        // #vertices
+  const Sparse_matrix& matrix;   // the Laplacian, pinned
+  const Sparse_solver& solver;   // factorization of the matrix
+  const Spanning_forest& forest; // of the operators
+  const Vector& masses;          // #vertices
   std::vector<Exit_group> exits = {};
 };
 
@@ -68,7 +69,6 @@ private:
   double correct(const Vector& outflow, double negligible_cost, Field& flow) const;
 
   Transport_problem m_problem;
-  Spanning_forest m_forest;
   Transport_result m_best;
 };
 

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/transport/Transport_solver.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include "transport/Spanning_forest.h"
 #include "transport/Transport_iteration.h"
 #include "transport/convergence.h"
 #include "transport/exits.h"
@@ -52,6 +53,7 @@ Transport_solver::Transport_solver(Operators operators)
   std::tie(m_component, m_number_of_components) = components(m_operators);
   m_laplacian.pin(m_matrix);
   m_solver = std::make_unique<Sparse_solver>(m_matrix, Elimination_order::low_fill);
+  m_forest = std::make_shared<const Spanning_forest>(m_operators);
 }
 
 void Transport_solver::check_input(const Vector& masses, const std::vector<Exit>& exits) const
@@ -139,8 +141,8 @@ Transport_result Transport_solver::solve(const Vector& masses, const Transport_o
   Vector outflow(Eigen::Index(exits.size()));
   for(std::size_t i = 0; i < exits.size(); ++i)
     normalized_masses[exits[i].vertex] += outflow[Eigen::Index(i)] = groups.outflow[i];
-  const Transport_problem problem = {m_operators, m_laplacian,       m_matrix,
-                                     *m_solver,   normalized_masses, groups.open};
+  const Transport_problem problem = {m_operators, m_laplacian,       m_matrix,   *m_solver,
+                                     *m_forest,   normalized_masses, groups.open};
   Transport_result result = iterate(*make_iteration(problem, options), groups.cost, options);
 
   for(std::size_t i = 0; i < groups.order.size(); ++i)

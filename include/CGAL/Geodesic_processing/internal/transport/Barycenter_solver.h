@@ -13,6 +13,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+class Spanning_forest;
+
 // The iterate of a query, from which another query with as many masses can start.
 struct Barycenter_state
 {
@@ -92,6 +94,7 @@ private:
   Vector m_lumped_mass; // #vertices: the integral of the hat function, positive
   double m_area = 0.;
   double m_stiffness = 0.; // weight of masses relative to flows in the projection: a squared length
+  std::shared_ptr<const Spanning_forest> m_forest;
   std::unique_ptr<Sparse_solver> m_solver;        // of the Laplacian, pinned
   std::unique_ptr<Sparse_solver> m_damped_solver; // of the Laplacian plus lumped mass / stiffness
 };
