@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace geodesic_path_test {
@@ -21,7 +22,8 @@ constexpr double round_off = 1e-12;
 
 // Checks that a path lies on the surface and that each location matches its point. No point
 // repeats, the length is correct and at least the Euclidean distance.
-void expect_path(const Mesh& mesh, const Path& path, const Point& from, const Point& to)
+void expect_path_in(const Mesh& mesh, const Path& path, const Point& from, const Point& to,
+                    double round_off)
 {
   ASSERT_FALSE(path.empty());
   ASSERT_EQ(path.points.size(), path.locations.size());
@@ -39,6 +41,11 @@ void expect_path(const Mesh& mesh, const Path& path, const Point& from, const Po
   }
   EXPECT_NEAR(path.length, length, round_off);
   EXPECT_GE(path.length, distance(from, to) - round_off);
+}
+
+void expect_path(const Mesh& mesh, const Path& path, const Point& from, const Point& to)
+{
+  expect_path_in(mesh, path, from, to, round_off);
 }
 
 TEST(Geodesic_path, is_straight_in_plane)
@@ -206,6 +213,32 @@ TEST(Geodesic_path, accepts_polyhedron)
   fill(mesh, square(8, 0.24));
   const auto path = GP::geodesic_path(mesh.mesh, mesh.vertices[0], mesh.vertices[80]);
   EXPECT_NEAR(path.length, std::sqrt(2.), round_off);
+}
+
+TEST(Geodesic_path, goes_around_slow_faces)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    Triangulation shape = square(40, 0.24);
+    for(Point& p : shape.points)
+      p = {scale * p[0], scale * p[1], 0.};
+    Mesh mesh = mesh_of(shape);
+    auto speed = mesh.add_property_map<Face, double>("f:speed", 1.).first;
+    for(const Face face : mesh.faces())
+    {
+      const auto center = point_of(mesh, GP::Location<Mesh>{face, {1. / 3., 1. / 3., 1. / 3.}});
+      if(std::abs(center[0] / scale - 0.5) < 0.2 && std::abs(center[1] / scale - 0.5) < 0.4)
+        speed[face] = 0.05;
+    }
+    const Path path =
+        GP::geodesic_path(mesh, Vertex(0), Vertex(1680), GP::parameters::face_speed_map(speed));
+    expect_path_in(mesh, path, shape.points[0], shape.points[1680], round_off * scale);
+    // Around the corner (0.7, 0.1) or (0.3, 0.9) of the slow faces, which are up to one edge away
+    // from it.
+    const double around = std::hypot(0.7, 0.1) + std::hypot(0.3, 0.9);
+    EXPECT_NEAR(path.length / scale, around, 2. / 40.);
+    EXPECT_NEAR(path.front_distance / scale, around, 2. / 40.);
+  }
 }
 
 TEST(Geodesic_path, throws_on_invalid_input)

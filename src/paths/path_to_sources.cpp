@@ -6,6 +6,7 @@
 #include "paths/descent.h"
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include "paths/quicken_path.h"
 #include "paths/shorten_geodesic.h"
 
 #include <algorithm>
@@ -91,11 +92,15 @@ std::vector<Surface_location> path_to_sources(const Surface_arrays& t, const Sur
                                               const std::vector<Front_source>& sources,
                                               const std::function<double(Index)>& distance,
                                               const std::function<Index(Index)>& predecessor,
-                                              const std::function<Index(Index)>& source)
+                                              const std::function<Index(Index)>& source,
+                                              const std::vector<double>* slowness)
 {
-  return shorten_path(t, t.is_cloud()
-                             ? trace_predecessors(t, from, sources, distance, predecessor, source)
-                             : Descent(t, sources)(from, distance).locations);
+  const std::vector<Surface_location> path =
+      t.is_cloud() ? trace_predecessors(t, from, sources, distance, predecessor, source)
+                   : Descent(t, sources)(from, distance).locations;
+  if(!slowness)
+    return shorten_path(t, path);
+  return t.is_cloud() ? path : quicken_path(t, *slowness, path);
 }
 
 std::vector<Surface_location> shorten_path(const Surface_arrays& t,

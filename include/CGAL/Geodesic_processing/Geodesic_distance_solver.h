@@ -257,8 +257,9 @@ public:
   }
   /// Returns the path from a vertex, surfel or location to its nearest source; empty if no source
   /// reaches it.  With `Exact`, the default on meshes, its length equals the distance.  With a
-  /// relative tolerance or another method, it is a locally shortest path.  Takes time proportional
-  /// to the number of visited faces.
+  /// relative tolerance or another method, it is a locally shortest path.  With different speeds, it
+  /// is a fast path instead; see `geodesic_path()`.  Takes time proportional to the number of
+  /// visited faces; with different speeds, O(m log m) time for m faces near the path.
   /// \tparam QueryLocation a vertex, a surfel or a location
   /// \param from a vertex, a surfel or a location
   /// \throws Invalid_argument_error if the location is not on the surface
@@ -283,7 +284,8 @@ public:
                                       *m_domain.triangles(), inner, m_sources,
                                       [&](internal::Index i) { return m_engine.distance(i); },
                                       [&](internal::Index i) { return m_engine.predecessor(i); },
-                                      [&](internal::Index i) { return m_engine.source(i); }),
+                                      [&](internal::Index i) { return m_engine.source(i); },
+                                      m_engine.slowness()),
                                   distance);
   }
 

@@ -32,10 +32,16 @@ inline constexpr bool uses_path_energy =
 /// that it passes are at least \f$ \pi \f$.  Its length differs from
 /// `Surface_path::front_distance` by at most the error of the method.
 ///
+/// If speeds differ, `Surface_path::front_distance` is a travel time.  On a mesh, the travel time of
+/// the path is then reduced in the neighborhood of the traced path, instead of its length.  It
+/// exceeds `Surface_path::front_distance` by a few percent at most in measurements, and it is lower
+/// as a rule.  A segment on an edge has the larger speed of the adjacent faces.
+///
 /// On a cloud, the path is that of `Surfel_path_finder` between `from` and the nearest location of
 /// the nearest source.  Only a front admits speeds.  If there are speeds, or if the method is
-/// given, the path is traced and shortened on the local triangles of the cloud, and `initial_path`
-/// is empty. The same holds if only these triangles connect `from` with a source.
+/// given, the path is traced along the local triangles of the cloud and, if the speeds are equal,
+/// shortened on them.  `initial_path` is then empty. The same holds if only these triangles connect
+/// `from` with a source.
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Surface as for `geodesic_distances()`

@@ -93,6 +93,8 @@ public:
   Index source(Index vertex) const;
   Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const;
+  // Returns the slowness of the last query, or null if it was the same everywhere.
+  const std::vector<double>* slowness() const { return m_slowness.get(); }
 
   // Calls visitor(kernel) with the kernel of the method, so that a loop over all vertices has one
   // dispatch.
@@ -110,6 +112,7 @@ private:
   Distance_method m_method;
   std::shared_ptr<const Surface_arrays> m_triangles;
   std::variant<Front, Window_propagation, Heat_solver> m_kernel;
+  std::shared_ptr<const std::vector<double>> m_slowness;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
