@@ -93,6 +93,8 @@ TEST(estimate_surfels, throws_on_invalid_input)
                GP::Invalid_argument_error);
   points.insert({std::numeric_limits<double>::infinity(), 0., 0.});
   EXPECT_THROW(GP::estimate_surfels(points), GP::Invalid_argument_error);
+  EXPECT_FALSE(points.has_normal_map());
+  EXPECT_FALSE(points.has_property_map<double>("radius"));
 }
 
 } // namespace estimate_surfels_test

@@ -85,7 +85,7 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
                 "Surfels are estimated from a range of points. Meshes and domains have normals.");
   using internal::parameter;
   constexpr bool has_radii = internal::has_parameter<NamedParameters, internal_np::radius_map_t>;
-  const auto estimate = [&](const auto& point_map, auto normal_map, auto radius_map)
+  const auto estimate = [&](const auto& point_map)
   {
     std::vector<internal::Vec3> coordinates;
     for(const auto& element : points)
@@ -94,10 +94,14 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
       coordinates.push_back(
           {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     }
-    auto surfels = internal::estimate_surfels(coordinates,
-                                              parameter(np, internal_np::number_of_neighbors, 18u),
-                                              parameter(np, internal_np::outlier_percentage, 0.),
-                                              internal::number_of_threads<Concurrency_tag>(np));
+    return internal::estimate_surfels(coordinates,
+                                      parameter(np, internal_np::number_of_neighbors, 18u),
+                                      parameter(np, internal_np::outlier_percentage, 0.),
+                                      internal::number_of_threads<Concurrency_tag>(np));
+  };
+  const auto write =
+      [&](const internal::Estimated_surfels& surfels, auto normal_map, auto radius_map)
+  {
     using Vector = typename boost::property_traits<decltype(normal_map)>::value_type;
     std::size_t position = 0;
     for(auto&& element : points)
@@ -108,10 +112,10 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
         put(radius_map, element, surfels.radii[position]);
       ++position;
     }
-    return surfels.removed;
   };
   if constexpr(internal::is_point_set<Points>)
   {
+    const auto surfels = estimate(parameter(np, CGAL::internal_np::point_map, points.point_map()));
     points.add_normal_map();
     const auto radii = [&]
     {
@@ -120,11 +124,9 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
       else
         return points.template add_property_map<double>("radius", 0.).first;
     }();
-    const std::vector<std::size_t> removed =
-        estimate(parameter(np, CGAL::internal_np::point_map, points.point_map()),
-                 parameter(np, CGAL::internal_np::normal_map, points.normal_map()), radii);
+    write(surfels, parameter(np, CGAL::internal_np::normal_map, points.normal_map()), radii);
     std::vector<typename Points::Index> outliers;
-    for(const std::size_t position : removed)
+    for(const std::size_t position : surfels.removed)
       outliers.push_back(*(points.begin() + std::ptrdiff_t(position)));
     for(const auto& outlier : outliers)
       points.remove(outlier);
@@ -133,11 +135,12 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
   else
   {
     using Element = std::decay_t<decltype(*points.begin())>;
-    return estimate(
-               parameter(np, CGAL::internal_np::point_map, CGAL::Identity_property_map<Element>()),
-               CGAL::parameters::get_parameter(internal::plain(np), CGAL::internal_np::normal_map),
-               parameter(np, internal_np::radius_map, 0))
-        .size();
+    const auto surfels = estimate(
+        parameter(np, CGAL::internal_np::point_map, CGAL::Identity_property_map<Element>()));
+    write(surfels,
+          CGAL::parameters::get_parameter(internal::plain(np), CGAL::internal_np::normal_map),
+          parameter(np, internal_np::radius_map, 0));
+    return surfels.removed.size();
   }
 }
 
