@@ -128,7 +128,7 @@ double Window_propagation::distance(const Surface_location& location) const
 Distance_bounds Window_propagation::bounds(const Surface_location& location) const
 {
   const auto [lower, upper] = unscaled_bounds(location);
-  return {scaled(without_error(lower)), scaled(upper)};
+  return {scaled(without_error(lower)), scaled(upper + m_max_shortfall)};
 }
 
 Distance_bounds Window_propagation::unscaled_bounds(const Surface_location& query) const

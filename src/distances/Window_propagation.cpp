@@ -17,9 +17,12 @@ namespace CGAL::Geodesic_processing::internal {
 
 Window_propagation::Window_propagation(std::shared_ptr<const Surface_arrays> triangles)
     : m_triangles(without_degenerate_triangles(std::move(triangles))),
-      m_state(m_triangles, find_pseudo_sources(*m_triangles)),
-      m_max_error(total_height_of_degenerate_triangles(*m_triangles))
-{}
+      m_state(m_triangles, find_pseudo_sources(*m_triangles))
+{
+  const Distance_error error = distance_error_of_thin_triangles(*m_triangles);
+  m_max_excess = error.excess;
+  m_max_shortfall = error.shortfall;
+}
 
 void Window_propagation::check_speeds(const Front_limits& limits)
 {

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/degenerate_triangles.h"
 
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include "core/unfold.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -81,18 +85,47 @@ without_degenerate_triangles(std::shared_ptr<const Surface_arrays> mesh)
   return result;
 }
 
-double total_height_of_degenerate_triangles(const Surface_arrays& mesh)
+namespace {
+
+// Returns the largest height of triangles with a longest edge c: that of the isosceles triangle.
+//
+// difference  that of the sum of the other edges and c
+double max_height(double c, double difference)
 {
-  double result = 0.;
+  return std::sqrt(0.5 * c * std::max(difference, 0.) + 0.25 * difference * difference);
+}
+
+} // namespace
+
+Distance_error distance_error_of_thin_triangles(const Surface_arrays& mesh)
+{
+  constexpr double epsilon = std::numeric_limits<double>::epsilon(), max_aspect_ratio = 30.;
+  // Longer edges are those of the input: min_edge_length was scaled by less than this.
+  constexpr double max_lengthened = 1e6 * min_edge_length;
+  Distance_error result;
   for(Index triangle = 0; triangle < mesh.number_of_triangles(); ++triangle)
   {
     const Index longest = longest_edge(mesh.length, triangle);
-    const double c = mesh.length[longest];
-    const double difference =
-        mesh.length[next_halfedge(longest)] + mesh.length[previous_halfedge(longest)] - c;
-    // The height is at most that of the isosceles triangle.
+    const double a = mesh.length[next_halfedge(longest)],
+                 b = mesh.length[previous_halfedge(longest)], c = mesh.length[longest],
+                 difference = a + b - c;
     if(difference < 1e-14 * c)
-      result += std::sqrt(0.5 * c * std::max(difference, 0.) + 0.25 * difference * difference);
+    {
+      result.excess += max_height(c, difference);
+      result.shortfall += max_height(c, difference + 4. * epsilon * c);
+    }
+    else if(const double height = twice_area(a, b, c) / c; c > max_aspect_ratio * height)
+    {
+      const double error = 10. * epsilon * c * (c / height);
+      result.excess += error;
+      result.shortfall += error;
+    }
+    if(!mesh.point.empty())
+      for(Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
+        if(mesh.length[h] < max_lengthened)
+          result.excess +=
+              std::max(0., mesh.length[h] - norm(mesh.point[mesh.corner[h]] -
+                                                 mesh.point[mesh.corner[next_halfedge(h)]]));
   }
   return result;
 }

@@ -26,12 +26,31 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const Surface_arrays>
 without_degenerate_triangles(std::shared_ptr<const Surface_arrays> mesh);
 
-// Returns the sum of the heights of triangles whose two shorter edges exceed the third one by less
-// than 1e-14 of it.  There the height is a round-off error of the lengths, or that of
-// without_degenerate_triangles().  A path crosses each triangle at most once.  Therefore a distance
-// exceeds the one on the input by at most this length, up to other round-off errors.  O(#triangles)
+// How much the distances on a mesh with edge lengths in double precision differ from those on the
+// input, beyond relative errors of 2e-12.
+struct Distance_error
+{
+  double excess = 0.;    // they are at most this much too long
+  double shortfall = 0.; // they are at most this much too short
+};
+
+// Returns bounds of the error, the sums of errors of single triangles.  A shortest path crosses each
+// triangle at most once.  Other triangles than these have no part in it:
+//
+// - Thin ones, whose longest edge c exceeds the height h more than 30 times: The edge lengths have
+//   relative errors of 2 epsilon, and unfolding adds as much.  The square of a segment is a
+//   combination of the squared lengths whose coefficients have a sum of at most 5/4.  Its error is
+//   at most 10 epsilon c^2, and that of a segment with two ends on the boundary 10 epsilon c^2 / h.
+//   The excess and the shortfall contain this error.
+// - Degenerate ones, whose two shorter edges exceed the third one by less than 1e-14 of it: The
+//   height is a round-off error of the lengths, or that of without_degenerate_triangles().  It is
+//   added to the excess.  The height on the input is added to the shortfall.
+// - Those with edges that are longer than the distance of their ends, because shorter edges are set
+//   to min_edge_length: The difference is added to the excess.
+//
+// Complexity: O(#triangles).
 CGAL_GEODESIC_PROCESSING_EXPORT
-double total_height_of_degenerate_triangles(const Surface_arrays& mesh);
+Distance_error distance_error_of_thin_triangles(const Surface_arrays& mesh);
 
 } // namespace CGAL::Geodesic_processing::internal
 

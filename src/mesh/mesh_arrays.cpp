@@ -129,6 +129,16 @@ double compute_lengths(Surface_arrays& t)
   return longest;
 }
 
+// Returns whether most lengths that are not zero would be set to min_edge_length.  Then distances
+// would be wrong.
+bool are_most_too_short(const std::vector<double>& length)
+{
+  const auto positive = std::count_if(length.begin(), length.end(), [](double l) { return l > 0.; });
+  const auto large = std::count_if(length.begin(), length.end(),
+                                   [](double l) { return l >= min_edge_length; });
+  return 2 * large < positive;
+}
+
 } // namespace
 
 Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
@@ -153,6 +163,9 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
   add_triangles(result, corners, twins);
   const double longest = compute_lengths(t);
   result.number_of_degenerate_triangles = count_degenerate_triangles(t.length);
+  if(are_most_too_short(t.length))
+    throw Unsupported_surface_error("Most edges are more than 10^10 times shorter than the extent of "
+                                    "the mesh. Perhaps a vertex is far from the others.");
   // The maximum of each length and a constant preserves the triangle inequality.
   if(longest > 0.)
     for(double& length : t.length)

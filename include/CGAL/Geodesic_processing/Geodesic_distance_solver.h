@@ -189,8 +189,10 @@ public:
     return scale() * m_engine.distance(m_domain.inner(location));
   }
   /// Returns a certified lower bound of the exact polyhedral distance of a vertex, up to round-off
-  /// errors; +infinity if no source reaches it.  It equals `upper()` unless the computation had a
-  /// `relative_tolerance`; then `distance()` is the mean of both.
+  /// errors; +infinity if no source reaches it.  It equals `upper()` unless the mesh has triangles
+  /// whose longest edge exceeds their height more than 30 times, or the computation had a
+  /// `relative_tolerance`. In the latter case `distance()` is the mean of both, up to the errors of
+  /// these triangles.
   /// The method must be `Exact` or `Automatic`, otherwise the call does not compile.
   /// \param vertex a vertex of the mesh
   /// \throws Unsupported_surface_error if `Automatic` did not use `Exact` in the last computation

@@ -124,14 +124,48 @@ TEST(Degenerate_triangles, lower_bounds_contain_the_error)
   EXPECT_TRUE(is_error_visible);
 }
 
-TEST(Degenerate_triangles, height_is_that_of_degenerate_triangles)
+TEST(Degenerate_triangles, error_is_that_of_thin_triangles)
 {
-  EXPECT_EQ(total_height_of_degenerate_triangles(Array_surface(square(8, 0.24)).t()), 0.);
+  const auto is_zero = [](const Distance_error& error)
+  { return error.excess == 0. && error.shortfall == 0.; };
+  EXPECT_TRUE(is_zero(distance_error_of_thin_triangles(Array_surface(square(8, 0.24)).t())));
   const auto lengthened = without_degenerate_triangles(Array_surface(flat_triangles()).triangles());
-  const double height = total_height_of_degenerate_triangles(*lengthened);
+  const Distance_error error = distance_error_of_thin_triangles(*lengthened);
   // Three to four triangles whose longest edges are between 0.1 and 0.2 of the unit
-  EXPECT_GT(height, 1e-9);
-  EXPECT_LT(height, 4e-8);
+  EXPECT_GT(error.excess, 1e-9);
+  EXPECT_LT(error.excess, 4e-8);
+}
+
+// A square whose vertex 5, a corner, is so far away that its triangles are thin.
+TEST(Degenerate_triangles, bounds_contain_the_error_of_thin_triangles)
+{
+  for(double length = 1e3; length < 1e11; length *= 3.)
+  {
+    Triangulation surface = square(5);
+    for(Point& p : surface.points)
+      p = {5. * p[0], 5. * p[1], 0.};
+    surface.points[5] = {length, 0., 0.};
+    const Array_surface arrays(surface);
+    Window_propagation windows(arrays.triangles());
+    for(Index from = 0; from < arrays.size(); ++from)
+    {
+      if(from == 5)
+        continue;
+      windows.run({arrays.source(from)});
+      for(Index to = 0; to < arrays.size(); ++to)
+      {
+        if(to == 5 || (from < 5) != (to < 5))
+          continue; // the segment is not on the surface, or crosses the triangles that changed
+        const Point &p = surface.points[from], &q = surface.points[to];
+        const double exact = std::hypot(p[0] - q[0], p[1] - q[1]),
+                     lower = arrays.scale() * windows.lower(arrays.vertex(to)),
+                     upper = arrays.scale() * windows.upper(arrays.vertex(to));
+        // Round-off errors of sums of ten lengths
+        EXPECT_LE(lower, exact * (1. + 1e-13)) << length;
+        EXPECT_GE(upper, exact * (1. - 1e-13)) << length;
+      }
+    }
+  }
 }
 
 } // namespace degenerate_triangles_test

@@ -198,4 +198,18 @@ TEST(Mesh_arrays, throws_on_nonfinite_coordinates)
   EXPECT_THROW(arrays_of(surface), Invalid_argument_error);
 }
 
+TEST(Mesh_arrays, throws_if_most_edges_are_too_short)
+{
+  Triangulation surface = square(5);
+  surface.points.push_back({0., 0., 1e10}); // isolated
+  EXPECT_NO_THROW(arrays_of(surface));
+  surface.points.back()[2] = 1e11; // edges of length 1/5
+  EXPECT_THROW(arrays_of(surface), Unsupported_surface_error);
+  // A few short edges are accepted.
+  surface = square(5);
+  surface.points[8] = surface.points[7];
+  surface.points[8][0] += 1e-13;
+  EXPECT_NO_THROW(arrays_of(surface));
+}
+
 } // namespace mesh_arrays_test

@@ -57,8 +57,8 @@ struct Bounded_path
 // is reached.  The time of a query depends only on the visited triangles.  Copies share the triangles
 // and may run concurrently.
 //
-// Degenerate triangles get slightly longer edges first (without_degenerate_triangles()).  Lower
-// bounds, also those of paths, contain the error.
+// Degenerate triangles get slightly longer edges first (without_degenerate_triangles()).  Bounds,
+// also those of paths, contain the errors of thin triangles (distance_error_of_thin_triangles()).
 //
 // With a relative tolerance, similar windows are merged (approximate_windows.h).  Lower and upper
 // bounds of the distances then differ by at most this fraction of the lower bound, and distance() is
@@ -83,15 +83,15 @@ public:
   double distance(Index vertex) const
   {
     const double result = scaled(m_state.vertices[vertex].distance);
-    return m_state.is_exact() ? result : 0.5 * (result + upper(vertex));
+    return m_state.is_exact() ? result : 0.5 * (result + scaled(m_state.upper_bound(vertex)));
   }
   // Certified bounds of the distance, up to round-off errors.  Without a relative tolerance and
-  // degenerate triangles they are equal.
+  // thin triangles they are equal.
   double lower(Index vertex) const
   {
     return scaled(without_error(m_state.vertices[vertex].distance));
   }
-  double upper(Index vertex) const { return scaled(m_state.upper_bound(vertex)); }
+  double upper(Index vertex) const { return scaled(m_state.upper_bound(vertex) + m_max_shortfall); }
   Index source(Index vertex) const { return m_state.vertices[vertex].source; }
   Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const { return m_state.reached; }
@@ -128,7 +128,7 @@ public:
 private:
   double scaled(double distance) const { return m_slowness * (distance + m_state.min_offset); }
   // Returns a lower bound of the distance on the input.
-  double without_error(double distance) const { return std::max(0., distance - m_max_error); }
+  double without_error(double distance) const { return std::max(0., distance - m_max_excess); }
 
   // The lazily created search from locations back to the sources; a copy starts with none.
   struct Reverse_search
@@ -158,8 +158,9 @@ private:
   std::vector<double> m_slowness_map;
   std::vector<Front_source> m_sources; // of the last query, outside of obstacles
   double m_slowness = 1.;              // outside of obstacles
-  Window_state m_state;    // on the surface without obstacles; its distances are for slowness 1
-  double m_max_error = 0.; // by which degenerate triangles increase a distance
+  Window_state m_state; // on the surface without obstacles; its distances are for slowness 1
+  // By how much thin triangles can make a distance too long and too short.
+  double m_max_excess = 0., m_max_shortfall = 0.;
   mutable Reverse_search m_reverse_search;
 };
 

@@ -35,7 +35,8 @@ struct Mesh_arrays
 // twins: 3 #faces, the opposite halfedge or none
 //
 // Throws Invalid_argument_error if a coordinate is not finite or if the distance of two points
-// overflows.  O(n) time; about 150 bytes per vertex.
+// overflows.  Throws Unsupported_surface_error if most edges of positive length are shorter than
+// `min_edge_length`.  O(n) time; about 150 bytes per vertex.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
                               const std::vector<Index>& corners, const std::vector<Index>& twins);
