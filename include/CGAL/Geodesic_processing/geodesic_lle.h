@@ -35,7 +35,9 @@ namespace CGAL::Geodesic_processing {
 /// \tparam Surface as for `geodesic_distances()`
 /// \tparam UVMap a model of `WritablePropertyMap` with vertices or surfels as keys and `Point_2` or
 ///         arrays of two numbers as values
-/// \param surface as for `geodesic_distances()`: connected, possibly with holes
+/// \param surface as for `geodesic_distances()`: connected, possibly with holes. A
+///        closed surface is accepted, but most of its faces overlap: cut it first, or use
+///        `texture_atlas()`
 /// \param uv_map receives the image of each vertex or surfel: a `Point_2` or an array of two
 ///        numbers, in the unit of the surface. Vertices without faces and surfels without neighbors
 ///        get NaN. Most faces are mapped counterclockwise.
