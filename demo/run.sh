@@ -459,6 +459,7 @@ property=none program hodge_decomposition "$small" 100 1200 $build/hodge_decompo
 as=hodge_decomposition_maze property=none program hodge_decomposition $models/maze.ply 804 3 1223 \
   $build/hodge_decomposition_maze.ply
 program compare_methods "$small"
+program damaged_soup "$animal" $build/damaged_soup.ply
 program mesh_vs_cloud "$animal" $build/cloud.ply
 program voronoi_areas "$bear" $build/voronoi_areas.ply
 program path_queries "$animal"
