@@ -128,7 +128,7 @@ double Window_propagation::distance(const Surface_location& location) const
 Distance_bounds Window_propagation::bounds(const Surface_location& location) const
 {
   const auto [lower, upper] = unscaled_bounds(location);
-  return {scaled(without_error(lower)), scaled(upper + m_max_shortfall)};
+  return {scaled(without_excess(lower)), scaled(with_shortfall(upper))};
 }
 
 Distance_bounds Window_propagation::unscaled_bounds(const Surface_location& query) const
@@ -264,7 +264,7 @@ Bounded_path Window_propagation::path_between(const Surface_location& from,
   Reverse_window_search& reverse_search = this->reverse_search();
   const Meeting& meeting = reverse_search.find_between(m_state, to, from, max_length);
   if(!(meeting.distance < max_length * (1. - round_off_tolerance)))
-    return {{}, without_error(max_length * (1. - 2. * round_off_tolerance))};
+    return {{}, without_excess(max_length * (1. - 2. * round_off_tolerance))};
   std::vector<Surface_location> path;
   const double length = append_meeting(reverse_search.state(), m_state, meeting, path);
   return shortened(path, length);
@@ -275,7 +275,7 @@ Bounded_path Window_propagation::path_between(const Surface_location& from,
 Bounded_path Window_propagation::shortened(const std::vector<Surface_location>& path,
                                            double length) const
 {
-  Bounded_path result = {{}, without_error(length * (1. - 2. * round_off_tolerance))};
+  Bounded_path result = {{}, without_excess(length * (1. - 2. * round_off_tolerance))};
   if(is_disconnected(*m_state.triangles, path))
     return result;
   Locally_shortest_path shortest = shorten_geodesic(*m_state.triangles, path);

@@ -242,7 +242,11 @@ private:
     solver.compute(query.sources, GP::parameters::maximum_distance(maximum));
     const std::vector<double> limited = distances(solver);
     for(std::size_t i = 0; i < found.size(); ++i)
-      if(limited[i] == infinity)
+      if(!is_mesh)
+        // Surfels beyond the maximum correct nearer ones.
+        require_at_most(found[i], limited[i], tolerance(found[i]),
+                        "a maximum distance does not decrease distances");
+      else if(limited[i] == infinity)
         require_at_most(maximum, found[i], tolerance(found[i]), "near vertices are reached");
       else
       {

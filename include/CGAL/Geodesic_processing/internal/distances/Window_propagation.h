@@ -89,7 +89,7 @@ public:
   // thin triangles they are equal.
   double lower(Index vertex) const
   {
-    return scaled(without_error(m_state.vertices[vertex].distance));
+    return scaled(without_excess(m_state.vertices[vertex].distance));
   }
   double upper(Index vertex) const { return scaled(m_state.upper_bound(vertex) + m_max_shortfall); }
   Index source(Index vertex) const { return m_state.vertices[vertex].source; }
@@ -127,8 +127,12 @@ public:
 
 private:
   double scaled(double distance) const { return m_slowness * (distance + m_state.min_offset); }
-  // Returns a lower bound of the distance on the input.
-  double without_error(double distance) const { return std::max(0., distance - m_max_excess); }
+  // Return a lower and an upper bound of the distance on the input.
+  double without_excess(double distance) const { return std::max(0., distance - m_max_excess); }
+  double with_shortfall(double distance) const
+  {
+    return distance > 0. ? distance + m_max_shortfall : distance;
+  }
 
   // The lazily created search from locations back to the sources; a copy starts with none.
   struct Reverse_search
