@@ -223,18 +223,40 @@ public:
       for(std::size_t c = position[0] + run.begin, end = c + run.length; c < end; ++c)
         m_occupied[(position[1] + run.row) * m_words + c / 64] |= Word(1) << (c % 64);
     for(std::size_t row = position[1]; row < position[1] + raster.height; ++row)
-    {
-      std::uint32_t free_run = 0, longest_run = 0;
-      for(std::size_t c = 0; c < m_cells; ++c)
-      {
-        free_run = m_occupied[row * m_words + c / 64] >> (c % 64) & 1 ? 0 : free_run + 1;
-        longest_run = std::max(longest_run, free_run);
-      }
-      m_longest_free[row] = longest_run;
-    }
+      m_longest_free[row] = longest_free_run(row);
   }
 
 private:
+  // Takes a step per word, and a step per cell of the runs in partly occupied words.
+  std::uint32_t longest_free_run(std::size_t row) const
+  {
+    std::uint32_t run = 0, longest = 0;
+    for(std::size_t i = row * m_words; i < (row + 1) * m_words; ++i)
+    {
+      Word free = ~m_occupied[i];
+      if(free == ~Word(0))
+      {
+        run += 64;
+        continue;
+      }
+      const auto free_cells = [&free](int from, int step)
+      {
+        std::uint32_t count = 0;
+        while(free >> (from + step * int(count)) & 1)
+          ++count;
+        return count;
+      };
+      longest = std::max(longest, run + free_cells(0, 1));
+      run = free_cells(63, -1);
+      // Each step shortens all runs by one cell.
+      std::uint32_t inner_run = 0;
+      for(; free != 0; free &= free >> 1)
+        ++inner_run;
+      longest = std::max(longest, inner_run);
+    }
+    return std::max(longest, run);
+  }
+
   // Combines each bit of m_row with the bit `shift` cells to its right.
   void dilate(std::size_t shift) { merge_shifted(m_row, m_row, shift); }
 
