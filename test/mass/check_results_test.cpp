@@ -255,6 +255,39 @@ TEST_F(Check_results, each_violated_invariant_is_reported)
   }
 }
 
+// The lower bound of a path is smaller by the heights of triangles without area. Here the longest
+// edges of both triangles have the length 2.
+TEST_F(Check_results, degenerate_triangles_decrease_the_lower_bound_of_a_path)
+{
+  const std::string line = "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0.5 0 0\n3 0 1 2\n3 0 2 3\n";
+  const std::string atlas = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0.5 0 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 "
+                            "2/2 3/3\nf 1/1 3/2 4/3\n";
+  const auto path_violations = [&](const std::string& lower, const std::string& atlas_runs)
+  {
+    Files files = good_results();
+    files["square.off"] = line;
+    files["runs"] = "info\t0\t0.1\t0\t\npath\t0\t0.1\t0\t\n" + atlas_runs;
+    files["info.txt"] = "0 0 0\n1 0 0\n2 0 0\n0.5 0 0\n";
+    files["path.json"] = R"({"length": 2.0, "lower": )" + lower + "}";
+    files["path.txt"] = "0 0 0\n2 0 0\n";
+    files["atlas.obj"] = atlas;
+    std::vector<std::string> violations = check(files);
+    violations.erase(std::remove_if(violations.begin(), violations.end(),
+                                    [](const std::string& line)
+                                    { return line.rfind("path", 0) != 0; }),
+                     violations.end());
+    return violations;
+  };
+  // With and without the triangles of an atlas
+  for(const std::string runs : {"atlas\t0\t0.1\t0\t\n", ""})
+  {
+    EXPECT_EQ(path_violations("1.9999997", runs), std::vector<std::string>());
+    EXPECT_EQ(path_violations("1.9999995", runs),
+              std::vector<std::string>{
+                  "path\tthe length is 2, but its lower bound is 1.9999994999999999"});
+  }
+}
+
 // A large triangle contains a small one: no edge of one crosses an edge of the other.
 TEST_F(Check_results, face_inside_of_another_face_is_an_overlap)
 {
