@@ -60,7 +60,7 @@ Files square_results(const std::string& surface)
   }
   files["flatten.json"] = R"({"flips": 0})";
   files["flatten.off"] = square;
-  files["atlas.json"] = R"({"flips": 0, "overlaps": 0, "coverage": 1.0})";
+  files["atlas.json"] = R"({"flips": 0, "overlaps": 0, "coverage": 1.0, "texels_per_length": 512})";
   files["atlas.obj"] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
                        "f 1/1 2/2 3/3\nf 1/1/1 3/3/1 4/4/1\n";
   files["emd.json"] = R"({"lower": 1.414, "value": 1.4142, "upper": 1.4144,)"
@@ -213,9 +213,10 @@ const std::vector<Change> changes = {
      "atlas\tthe faces have the area 1.5, but the surface has the area 1"},
     {"atlas.json", "1.0", "0.5",
      "atlas\tthe faces cover 1 of the texture, but the JSON has the coverage 0.5"},
-    // Half of the surface covers 1/128 of the texture, the other half 1/2: (1/2 + 1/128) / (2/128).
-    {"atlas.obj", "f 1/1/1 3/3/1 4/4/1", "vt 0 0.875\nvt 0.125 0.875\nvt 0 1\nf 1/5 3/6 4/7",
-     "atlas\tthe area of a chart differs from its scale by the factor 32.5"},
+    // Half of the surface covers 1/256 of the texture instead of 1/2. Charts of few vertices can
+    // be 50 times as small.
+    {"atlas.obj", "f 1/1/1 3/3/1 4/4/1", "vt 0 0.875\nvt 0.0625 0.875\nvt 0 1\nf 1/5 3/6 4/7",
+     "atlas\tthe area of a chart exceeds its limits by the factor 2.5600000000000001"},
     {"atlas.obj", "1/1 2/2 3/3", "1/1 2/3 3/2",
      "atlas\t1 faces are not counterclockwise, and the JSON has another number"},
     {"atlas.obj", "1/1 2/2 3/3", "1/1 2/3 3/2", "atlas\t1 faces are not counterclockwise"},
@@ -294,7 +295,8 @@ TEST_F(Check_results, face_inside_of_another_face_is_an_overlap)
   Files files = good_results();
   files["atlas.obj"] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
                        "vt 0.25 0.25\nvt 0.5 0.25\nvt 0.25 0.5\nf 1/1 2/2 3/3\nf 1/4 3/5 4/6\n";
-  files["atlas.json"] = R"({"flips": 0, "overlaps": 0, "coverage": 0.53125})";
+  files["atlas.json"] =
+      R"({"flips": 0, "overlaps": 0, "coverage": 0.53125, "texels_per_length": 512})";
   EXPECT_EQ(check(files),
             std::vector<std::string>{"atlas\tthe faces 0 and 1 overlap in the texture"});
 }
