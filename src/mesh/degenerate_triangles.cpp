@@ -88,11 +88,15 @@ double total_height_of_degenerate_triangles(const Surface_arrays& mesh)
   {
     const Index longest = longest_edge(mesh.length, triangle);
     const double c = mesh.length[longest];
-    const double difference =
-        mesh.length[next_halfedge(longest)] + mesh.length[previous_halfedge(longest)] - c;
+    const double a = mesh.length[next_halfedge(longest)],
+                 b = mesh.length[previous_halfedge(longest)];
+    const double difference = a + b - c;
     // The height is at most that of the isosceles triangle.
     if(difference < 1e-14 * c)
       result += std::sqrt(0.5 * c * std::max(difference, 0.) + 0.25 * difference * difference);
+    // The input can have an edge of length zero instead. It can have become slightly longer.
+    if(std::min(a, b) < 2. * min_edge_length)
+      result += min_edge_length;
   }
   return result;
 }

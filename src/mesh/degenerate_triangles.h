@@ -28,7 +28,8 @@ without_degenerate_triangles(std::shared_ptr<const Surface_arrays> mesh);
 
 // Returns the sum of the heights of triangles whose two shorter edges exceed the third one by less
 // than 1e-14 of it.  There the height is a round-off error of the lengths, or that of
-// without_degenerate_triangles().  A path crosses each triangle at most once.  Therefore a distance
+// without_degenerate_triangles().  The sum also contains the edges of minimum length, which can be
+// longer than on the input.  A path crosses each triangle at most once.  Therefore a distance
 // exceeds the one on the input by at most this length, up to other round-off errors.  O(#triangles)
 CGAL_GEODESIC_PROCESSING_EXPORT
 double total_height_of_degenerate_triangles(const Surface_arrays& mesh);
