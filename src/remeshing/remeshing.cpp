@@ -59,6 +59,10 @@ constexpr int max_intersection_rounds = 10;
 // with the same end vertices need one or two. Two feature edges need one more round each time that
 // their distance is halved.
 constexpr int max_refinements = 20;
+// These rounds end if there are at least that many vertices, and four times as many as before the
+// first round. Otherwise two triangles without area have 10^5 vertices after five rounds: the distance
+// between their boundary edges is zero, so that vertices between them do not help.
+constexpr std::size_t max_repaired_vertices = 20000, max_repaired_vertices_ratio = 4;
 
 // Rounds in which samples are added to invalid cells. In the first ones, each invalid cell gets one
 // sample; 60 scans and CAD models need at most 25. On chains of needles, each round moves the
@@ -77,6 +81,8 @@ public:
     set_spacing();
     m_surface.split_duplicate_faces();
     refine();
+    m_max_repaired_vertices =
+        std::max(max_repaired_vertices, max_repaired_vertices_ratio * t().number_of_vertices());
     start_sampling();
     m_result.is_finished = place_samples() && relax() && enforce_topology();
     return std::move(m_result);
@@ -318,7 +324,8 @@ private:
         repair_topology(m_surface, *m_sampling, cells, check, number_of_additional);
     if(!found.samples.empty())
       m_sampling->add(found.samples);
-    else if(++m_number_of_refinements > max_refinements)
+    else if(++m_number_of_refinements > max_refinements ||
+            t().number_of_vertices() >= m_max_repaired_vertices)
       return stop_repairs();
     else
       refine_unresolved(cells, found.unresolved);
@@ -424,6 +431,7 @@ private:
   std::size_t m_number_of_fixed = 0; // number of first samples that must not move
   Remeshing m_result;
 
+  std::size_t m_max_repaired_vertices = 0;
   int m_number_of_refinements = 0, m_intersection_rounds = 0;
   std::size_t m_number_of_repairs = 0;
   std::optional<Remeshing> m_fallback; // before samples were added at self-intersections

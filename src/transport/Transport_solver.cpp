@@ -154,7 +154,8 @@ Transport_result Transport_solver::solve(const Vector& masses, const Transport_o
   shift_to_marginal_cost(groups, result.potential);
   result.residual =
       (minus_divergence(m_operators, result.flow) - normalized_masses).lpNorm<Eigen::Infinity>();
-  result.lower *= moved_mass;
+  // If both bounds are the cost itself, round-off errors can exchange them.
+  result.lower = moved_mass * std::min(result.lower, result.upper);
   result.upper *= moved_mass;
   result.remaining_cost *= moved_mass;
   result.value = result.estimate = 0.5 * (result.lower + result.upper);

@@ -60,7 +60,7 @@ Files square_results(const std::string& surface)
   }
   files["flatten.json"] = R"({"flips": 0})";
   files["flatten.off"] = square;
-  files["atlas.json"] = R"({"flips": 0, "overlaps": 0, "coverage": 1.0})";
+  files["atlas.json"] = R"({"flips": 0, "overlaps": 0, "coverage": 1.0, "texels_per_length": 512})";
   files["atlas.obj"] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
                        "f 1/1 2/2 3/3\nf 1/1/1 3/3/1 4/4/1\n";
   files["emd.json"] = R"({"lower": 1.414, "value": 1.4142, "upper": 1.4144,)"
@@ -213,9 +213,10 @@ const std::vector<Change> changes = {
      "atlas\tthe faces have the area 1.5, but the surface has the area 1"},
     {"atlas.json", "1.0", "0.5",
      "atlas\tthe faces cover 1 of the texture, but the JSON has the coverage 0.5"},
-    // Half of the surface covers 1/128 of the texture, the other half 1/2: (1/2 + 1/128) / (2/128).
-    {"atlas.obj", "f 1/1/1 3/3/1 4/4/1", "vt 0 0.875\nvt 0.125 0.875\nvt 0 1\nf 1/5 3/6 4/7",
-     "atlas\tthe area of a chart differs from its scale by the factor 32.5"},
+    // Half of the surface covers 1/256 of the texture instead of 1/2. Charts of few vertices can
+    // be 50 times as small.
+    {"atlas.obj", "f 1/1/1 3/3/1 4/4/1", "vt 0 0.875\nvt 0.0625 0.875\nvt 0 1\nf 1/5 3/6 4/7",
+     "atlas\tthe area of a chart exceeds its limits by the factor 2.5600000000000001"},
     {"atlas.obj", "1/1 2/2 3/3", "1/1 2/3 3/2",
      "atlas\t1 faces are not counterclockwise, and the JSON has another number"},
     {"atlas.obj", "1/1 2/2 3/3", "1/1 2/3 3/2", "atlas\t1 faces are not counterclockwise"},
@@ -255,13 +256,47 @@ TEST_F(Check_results, each_violated_invariant_is_reported)
   }
 }
 
+// The lower bound of a path is smaller by the heights of triangles without area. Here the longest
+// edges of both triangles have the length 2.
+TEST_F(Check_results, degenerate_triangles_decrease_the_lower_bound_of_a_path)
+{
+  const std::string line = "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0.5 0 0\n3 0 1 2\n3 0 2 3\n";
+  const std::string atlas = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0.5 0 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 "
+                            "2/2 3/3\nf 1/1 3/2 4/3\n";
+  const auto path_violations = [&](const std::string& lower, const std::string& atlas_runs)
+  {
+    Files files = good_results();
+    files["square.off"] = line;
+    files["runs"] = "info\t0\t0.1\t0\t\npath\t0\t0.1\t0\t\n" + atlas_runs;
+    files["info.txt"] = "0 0 0\n1 0 0\n2 0 0\n0.5 0 0\n";
+    files["path.json"] = R"({"length": 2.0, "lower": )" + lower + "}";
+    files["path.txt"] = "0 0 0\n2 0 0\n";
+    files["atlas.obj"] = atlas;
+    std::vector<std::string> violations = check(files);
+    violations.erase(std::remove_if(violations.begin(), violations.end(),
+                                    [](const std::string& line)
+                                    { return line.rfind("path", 0) != 0; }),
+                     violations.end());
+    return violations;
+  };
+  // With and without the triangles of an atlas
+  for(const std::string runs : {"atlas\t0\t0.1\t0\t\n", ""})
+  {
+    EXPECT_EQ(path_violations("1.9999997", runs), std::vector<std::string>());
+    EXPECT_EQ(path_violations("1.9999995", runs),
+              std::vector<std::string>{
+                  "path\tthe length is 2, but its lower bound is 1.9999994999999999"});
+  }
+}
+
 // A large triangle contains a small one: no edge of one crosses an edge of the other.
 TEST_F(Check_results, face_inside_of_another_face_is_an_overlap)
 {
   Files files = good_results();
   files["atlas.obj"] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
                        "vt 0.25 0.25\nvt 0.5 0.25\nvt 0.25 0.5\nf 1/1 2/2 3/3\nf 1/4 3/5 4/6\n";
-  files["atlas.json"] = R"({"flips": 0, "overlaps": 0, "coverage": 0.53125})";
+  files["atlas.json"] =
+      R"({"flips": 0, "overlaps": 0, "coverage": 0.53125, "texels_per_length": 512})";
   EXPECT_EQ(check(files),
             std::vector<std::string>{"atlas\tthe faces 0 and 1 overlap in the texture"});
 }

@@ -124,6 +124,19 @@ TEST(Degenerate_triangles, lower_bounds_contain_the_error)
   EXPECT_TRUE(is_error_visible);
 }
 
+// Two vertices coincide. The edge between them gets the minimum length.
+TEST(Degenerate_triangles, lower_bounds_contain_minimum_edge_lengths)
+{
+  const Array_surface surface(
+      {{{0., 0., 0.}, {0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, {0, 2, 1, 1, 2, 3}});
+  Window_propagation windows(surface.triangles());
+  windows.run({surface.source(0)});
+  const double distance = surface.scale() * windows.distance(surface.vertex(3));
+  EXPECT_GT(distance, 1. + 1e-12);
+  EXPECT_LE(surface.scale() * windows.lower(surface.vertex(3)), 1.);
+  EXPECT_LE(surface.scale() * windows.path(surface.at(3)).lower, 1.);
+}
+
 TEST(Degenerate_triangles, error_is_that_of_thin_triangles)
 {
   const auto is_zero = [](const Distance_error& error)

@@ -446,6 +446,20 @@ TEST(Remeshing, keeps_valid_mesh_if_further_samples_fail)
   }
 }
 
+// The vertices of two triangles are on a line. The distance between their edges is zero, so that
+// refinement does not separate the cells. The bound of the number of vertices ends it early.
+TEST(Remeshing, gives_up_early_without_area)
+{
+  const Array_surface surface(
+      {{{0.1, 0.2, 0.3}, {0.2, 0.3, 0.4}, {0.3, 0.4, 0.5}, {0.4, 0.5, 0.6}}, {0, 1, 2, 1, 0, 3}});
+  Remeshing_options options;
+  options.number_of_samples = 50;
+  std::size_t number_of_calls = 0;
+  options.callback = [&](double) { return ++number_of_calls < 150; };
+  EXPECT_THROW(remesh(surface.triangles(), options),
+               CGAL::Geodesic_processing::Unsupported_surface_error);
+}
+
 TEST(Remeshing, can_be_cancelled)
 {
   const Array_surface surface(icosphere(4));
