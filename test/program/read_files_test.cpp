@@ -311,7 +311,8 @@ TEST(Read_vtp, reads_ascii_and_strips)
 {
   const Surface_file surface = program::read_vtp(
       "<?xml version=\"1.0\"?><!-- > --><VTKFile type='PolyData'><PolyData><Piece><PointData>"
-      "<DataArray Name=\"d\" format=\"ascii\">1 2 3 4</DataArray></PointData>"
+      "<DataArray Name=\"d\" format=\"ascii\">1 2 3 4</DataArray>"
+      "<DataArray type='String' Name=\"s\" format=\"ascii\">65 0</DataArray></PointData>"
       "<Points><DataArray NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 1 1 0"
       "</DataArray></Points><Strips><DataArray Name=\"connectivity\" format=\"ascii\">0 1 2 3"
       "</DataArray><DataArray Name=\"offsets\" format=\"ascii\">4</DataArray></Strips></Piece>"

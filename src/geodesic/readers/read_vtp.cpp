@@ -324,6 +324,8 @@ private:
       m_xml.next();
       text = m_xml.text();
     }
+    if(tag["type"] == "String")
+      return; // the codes of characters are no values of points
     const std::string key(tag["Name"]);
     const std::string_view components = tag["NumberOfComponents"];
     const auto numbers = [&] { return read_array(tag, text, m_storage, m_name); };
