@@ -191,7 +191,7 @@ struct Remeshing_result
 ///         cloud, if it has too many components, or if 400 rounds of additional samples, 20 of
 ///         which may split edges of the surface instead, do not make the topology of the
 ///         result that of the surface. These rounds also end if they have
-///         split edges until there are 20000 vertices, and four times as many as before
+///         split edges until there are 20,000 vertices, and four times as many as before
 /// \throws Cancelled if the callback returns false
 ///
 /// Takes about the time of the sampling.
