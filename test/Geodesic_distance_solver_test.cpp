@@ -18,7 +18,7 @@ using Mesh_source = GP::Source<Mesh>;
 // Round-off errors of sums of some tens of lengths below 4.
 constexpr double round_off = 1e-12;
 
-// A front corrects a final vertex if its distance changes by more than 1e-12. Smaller errors add up.
+// A front corrects a final vertex if its distance changes by more than 1e-12. Errors below add up.
 constexpr double front_tolerance = 1e-10;
 
 template <typename Method>

@@ -401,7 +401,7 @@ TEST(Spectral_transport, level_sets_are_convex_on_square)
     const auto at = [&](int i, int j) { return d[surface.vertex(Index(i + (n + 1) * j))]; };
     const auto expect_valley = [&](int i, int j, int di, int dj)
     {
-      // All cells have the same diagonal. This rotates level sets slightly, by a fraction of a cell.
+      // All cells have the same diagonal. This rotates level sets by a fraction of a cell.
       const double tolerance = 0.02 / n;
       double highest = 0.;
       bool is_rising = false;
