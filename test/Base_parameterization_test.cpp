@@ -98,7 +98,7 @@ TEST(Base_parameterization, maps_surfels_of_cloud)
     EXPECT_LT(CGAL::squared_distance(base.point(location), surfels[i].first), 1e-14);
     const auto round_trip = base.inverse(location);
     EXPECT_EQ(round_trip.surfel, i);
-    EXPECT_NEAR(std::hypot(round_trip.offset[0], round_trip.offset[1]), 0., 1e-7);
+    EXPECT_NEAR(std::hypot(round_trip.offset[0], round_trip.offset[1]), 0., 1e-7); // the same error
   }
 }
 

@@ -71,6 +71,7 @@ TEST(Biharmonic_metric, distance_map_scales_with_mesh)
       EXPECT_EQ(map[v], parallel_map[v]);
       EXPECT_NEAR(map[v], metric.distance(from, v), round_off * scale);
     }
+    // The order of magnitude: the unit is that of lengths.
     EXPECT_GT(map[Vertex(100)], 0.01 * scale);
     EXPECT_LT(map[Vertex(100)], 10. * scale);
   }

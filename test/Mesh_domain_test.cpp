@@ -27,6 +27,7 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 // Checks that the domain of a mesh equals the triangulation: vertices at its points, triangles at
 // its faces.
+// tolerance  the precision of coordinates
 template <typename Mesh>
 void expect_domain(const Triangulation& surface, double tolerance)
 {

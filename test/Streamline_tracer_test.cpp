@@ -87,10 +87,12 @@ TEST(Streamline_tracer, is_straight_in_plane)
     EXPECT_GE(unshortened_lines[i].length, lines[i].length - round_off);
     traced_length += unshortened_lines[i].length / 200.;
   }
+  // Measured are 0.8 %.
   EXPECT_LE(traced_length, 1.01 * sum);
 }
 
-// On a sphere, streamlines follow great circles, at most 1 % longer than chords of 2,562 vertices.
+// On a sphere, streamlines follow great circles. Faces lie up to h^2 / 6 = 0.1 % below the
+// sphere, where the edge length h is 0.08.
 TEST(Streamline_tracer, follows_great_circles)
 {
   const Mesh mesh = mesh_of(icosphere(4));
@@ -106,9 +108,11 @@ TEST(Streamline_tracer, follows_great_circles)
     expect_line(line);
     const auto a = line.points.front(), b = line.points.back();
     const double exact = great_circle({a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()});
-    EXPECT_NEAR(line.length, exact, 0.01 * exact);
+    // Measured are 0.05 %.
+    EXPECT_NEAR(line.length, exact, 0.002 * exact);
     cost += exact / 200.;
   }
+  // The assignment by streamlines costs as much as the transport plan, within 2 %.
   EXPECT_NEAR(cost, distance.value, 0.02 * distance.value);
 }
 
@@ -126,7 +130,8 @@ TEST(Streamline_tracer, ends_at_point_masses)
   EXPECT_EQ(line.points.back(), mesh.point(to));
   GP::Geodesic_distance_solver<Mesh, GP::Exact> exact(mesh);
   exact.compute(from);
-  EXPECT_NEAR(line.length, exact.distance(to), 0.01 * exact.distance(to));
+  // Straightened streamlines are geodesics.
+  EXPECT_NEAR(line.length, exact.distance(to), round_off);
   EXPECT_GE(line.length, line.front_distance - round_off);
   const auto end = trace.destination(from);
   EXPECT_EQ(GP::make_domain(mesh).point(GP::make_domain(mesh).inner(end)), mesh.point(to));
@@ -201,7 +206,8 @@ TEST(Streamline_tracer, works_on_clouds)
     EXPECT_TRUE(line.has_arrived);
     EXPECT_EQ(line.points.front(), p);
     EXPECT_EQ(line.points.back(), q);
-    EXPECT_NEAR(line.length, exact, 0.01 * exact);
+    // Measured are 0.06 %.
+    EXPECT_NEAR(line.length, exact, 0.002 * exact);
   }
 }
 

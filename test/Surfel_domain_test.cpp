@@ -91,6 +91,7 @@ TEST(Surfel_domain, skips_removed_points)
   for(const auto& index : points)
   {
     EXPECT_EQ(domain.vertex(domain.index(index)), index);
+    // The square of a few round-off errors.
     EXPECT_LT(CGAL::squared_distance(domain.point(domain.inner_vertex(index)), points.point(index)),
               1e-28);
   }
@@ -130,7 +131,8 @@ void expect_float_path(const Path& path)
   static_assert(std::is_same_v<typename Path::Point_3, Float_point>);
   ASSERT_GE(path.points.size(), 3u);
   for(const Float_point& point : path.points)
-    EXPECT_NEAR(CGAL::to_double(CGAL::squared_distance(point, Float_point(0., 0., 0.))), 1., 0.05);
+    // Points of fitted spheres, in single precision.
+    EXPECT_NEAR(CGAL::to_double(CGAL::squared_distance(point, Float_point(0., 0., 0.))), 1., 1e-6);
 }
 
 TEST(Surfel_domain, points_are_of_the_kernel_of_the_range)
@@ -256,6 +258,8 @@ TEST(Surfel_domain, returns_points_and_axes_of_locations)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
+    // Squares of a few round-off errors.
+    const double squared_error = 1e-28;
     Surfels surfels = sphere_surfels(2);
     for(auto& [point, normal] : surfels)
     {
@@ -271,16 +275,16 @@ TEST(Surfel_domain, returns_points_and_axes_of_locations)
       // A few round-off errors.
       EXPECT_NEAR(u.squared_length(), 1., 1e-14);
       EXPECT_NEAR(v.squared_length(), 1., 1e-14);
-      EXPECT_NEAR((CGAL::cross_product(u, v) - normal / 3.).squared_length(), 0., 1e-28);
+      EXPECT_NEAR((CGAL::cross_product(u, v) - normal / 3.).squared_length(), 0., squared_error);
       const double x = 0.01 * scale, y = -0.02 * scale;
       EXPECT_LT(CGAL::squared_distance(domain.point({i, {x, y}}), point + x * u + y * v),
-                1e-28 * scale * scale);
+                squared_error * scale * scale);
       // The location of a point is its projection to the tangent plane.
       const auto above = point + x * u + y * v + 0.1 * x * normal;
       const auto location = locate(above);
       EXPECT_EQ(location.surfel, i);
       EXPECT_LT(CGAL::squared_distance(domain.point(location), point + x * u + y * v),
-                1e-28 * scale * scale);
+                squared_error * scale * scale);
     }
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(domain.point({0, {nan, 0.}}), GP::Invalid_argument_error);

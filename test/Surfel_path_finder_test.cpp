@@ -82,6 +82,7 @@ TEST(Surfel_path_finder, locations_refer_to_nearest_surfels)
     const double tangential_square = offset[0] * offset[0] + offset[1] * offset[1];
     const double normal_component =
         (path.points[i] - center) * normal / std::sqrt(normal.squared_length());
+    // Round-off errors of squares.
     EXPECT_NEAR(tangential_square + normal_component * normal_component,
                 CGAL::squared_distance(center, path.points[i]), 1e-14);
   }
@@ -114,7 +115,8 @@ TEST(Surfel_path_finder, connects_locations)
   EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.front(), p)), 0.003, round_off);
   EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.back(), q)), 0.004, round_off);
   EXPECT_NEAR(path.front_distance,
-              std::sqrt(CGAL::squared_distance(path.points.front(), path.points.back())), 1e-9);
+              std::sqrt(CGAL::squared_distance(path.points.front(), path.points.back())),
+              round_off);
   EXPECT_NEAR(path.front_distance, direct, 0.007 * (1. + round_off));
   EXPECT_THROW(finder(Location{1, {std::nan(""), 0.}}, Location{2, {0., 0.}}),
                GP::Invalid_argument_error);

@@ -38,7 +38,7 @@ void expect_consistent_metric(const Domain& domain,
   {
     const Metric metric(domain, k);
     EXPECT_GE(metric.basis_size(), k);
-    const double tolerance = 1e-3;
+    const double tolerance = 1e-3; // the requested gap
     const Eigen::MatrixXd d =
         metric.distance_matrix(locations, GP::parameters::tolerance(tolerance));
     ASSERT_EQ(d.rows(), Eigen::Index(locations.size()));
@@ -78,7 +78,8 @@ void expect_map_matches_pairs(const GP::Transport_metric<Surface>& metric, Map m
     EXPECT_GE(get(map, keys[i]), cost.lower * (1. - 1e-6)); // sums in single precision
     sum += get(map, keys[i]) / cost.upper - 1.;
   }
-  EXPECT_LT(sum / double(keys.size()), 0.01);
+  // Measured are at most 0.1 %.
+  EXPECT_LT(sum / double(keys.size()), 0.003);
   const std::vector<double> previous_upper = {get(map, keys[1]), get(map, keys.back())};
   metric.template write_distances<CGAL::Parallel_tag>(keys[0], map,
                                                       GP::parameters::number_of_threads(3));
@@ -150,6 +151,7 @@ TEST(Transport_metric, is_unit_invariant)
         const Vertex to{Mesh::size_type(i)};
         const double expected =
             scale * metric.distance(Vertex(0), to, GP::parameters::tolerance(1e-5));
+        // Each of the two has the requested gap.
         EXPECT_NEAR(other_metric.distance(Vertex(0), to, GP::parameters::tolerance(1e-5)), expected,
                     2e-5 * expected);
       }
@@ -230,6 +232,7 @@ TEST(Transport_metric, accepts_all_kinds_of_masses)
   }
   auto flow = mesh.add_property_map<Face, Kernel::Vector_3>("flow").first;
   const auto measured = GP::parameters::flow_map(flow).tolerance(1e-4);
+  const double round_off = 1e-12; // of sums over 288 faces
   const auto cost_of_flow = [&]
   {
     double result = 0.;
@@ -244,13 +247,14 @@ TEST(Transport_metric, accepts_all_kinds_of_masses)
     // From density 1 to density 2 x: all mass moves along x, by the integral of x - x * x.
     const GP::Earth_movers_cost ramp =
         metric.cost(GP::mass_density(low), GP::mass_density(high), measured);
-    EXPECT_NEAR(ramp.upper, cost_of_flow(), 1e-12);
+    EXPECT_NEAR(ramp.upper, cost_of_flow(), round_off);
     EXPECT_NEAR(ramp.value, 1. / 6., 0.5 / (12. * 12.)); // of the order of the squared edge length
 
     // Sums of masses, and equal distributions.
     const std::vector<Vertex> corners = {Vertex(0), Vertex(168)};
     const GP::Earth_movers_cost apart = metric.cost(corners, Vertex(84), measured);
-    EXPECT_NEAR(apart.upper, cost_of_flow(), 1e-12);
+    EXPECT_NEAR(apart.upper, cost_of_flow(), round_off);
+    // Moving each half on its own is feasible.
     EXPECT_LE(apart.lower,
               0.5 * (metric.distance(corners[0], Vertex(84), GP::parameters::tolerance(1e-6)) +
                      metric.distance(corners[1], Vertex(84), GP::parameters::tolerance(1e-6))));

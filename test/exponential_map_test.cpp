@@ -46,7 +46,8 @@ TEST(exponential_map, inverts_logarithmic_map)
   EXPECT_GT(fraction_recovered(mesh_of(animal()), Vertex(100), 0.5), 0.95);
   if(Mesh mesh; read_model("meshes/elephant_2k8.off", mesh))
   {
-    EXPECT_GT(fraction_recovered(mesh, Vertex(100), 0.1), 0.95);
+    // One vertex in eighty, see above.
+    EXPECT_GT(fraction_recovered(mesh, Vertex(100), 0.1), 0.98);
   }
 }
 
@@ -121,11 +122,13 @@ TEST(exponential_map, follows_axes_on_cloud)
   };
   using GP::internal::norm;
   using GP::internal::operator-;
-  // The endpoints are surfels, where the tangent plane touches the sphere.
-  EXPECT_LT(norm(end(CGAL_PI / 2., 0.) - GP::internal::Vec3{0., 1., 0.}), 1e-12);
-  EXPECT_LT(norm(end(0., CGAL_PI / 2.) - GP::internal::Vec3{0., 0., 1.}), 1e-12);
-  EXPECT_LT(norm(end(0., -CGAL_PI / 2.) - GP::internal::Vec3{0., 0., -1.}), 1e-12);
-  EXPECT_LT(norm(end(0., 0.) - GP::internal::Vec3{1., 0., 0.}), 1e-12);
+  // The endpoints are surfels, where the tangent plane touches the sphere. Round-off errors of some
+  // hundred steps.
+  const double round_off = 1e-12;
+  EXPECT_LT(norm(end(CGAL_PI / 2., 0.) - GP::internal::Vec3{0., 1., 0.}), round_off);
+  EXPECT_LT(norm(end(0., CGAL_PI / 2.) - GP::internal::Vec3{0., 0., 1.}), round_off);
+  EXPECT_LT(norm(end(0., -CGAL_PI / 2.) - GP::internal::Vec3{0., 0., -1.}), round_off);
+  EXPECT_LT(norm(end(0., 0.) - GP::internal::Vec3{1., 0., 0.}), round_off);
   EXPECT_THROW(end(std::nan(""), 0.), GP::Invalid_argument_error);
 }
 

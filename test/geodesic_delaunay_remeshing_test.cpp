@@ -58,12 +58,12 @@ void expect_remeshes_sphere()
   EXPECT_TRUE(CGAL::is_closed(output));
   EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{2, 0}}}));
   const auto points = get(CGAL::vertex_point, output);
-  // Vertices lie on edges or faces of the icosphere, whose distance from the center is at least
-  // 0.995.
   for(const auto v : vertices(output))
   {
     const double radius = distance(to_array(get(points, v)), {0., 0., 0.});
-    EXPECT_GE(radius, 0.99);
+    // Vertices lie on edges or faces of the icosphere, whose distance from the center is at least
+    // 0.995.
+    EXPECT_GE(radius, 0.995);
     EXPECT_LE(radius, 1. + 1e-6); // OpenMesh coordinates have single precision
   }
 }
@@ -298,9 +298,10 @@ void expect_reconstructs_sphere(const Cloud& cloud, const Normals& np)
   {
     // Points in the triangles between 642 surfels lie up to 0.006 below the sphere. They are
     // equally close to the tangent planes, which contain the cloud's locations.
+    const double depth = 0.006;
     const auto p = domain.point(domain.inner(location[v]));
-    EXPECT_LT(distance(to_array(p), to_array(output.point(v))), 0.012);
-    EXPECT_NEAR(distance(to_array(output.point(v)), {0., 0., 0.}), 1., 0.006);
+    EXPECT_LT(distance(to_array(p), to_array(output.point(v))), 2. * depth);
+    EXPECT_NEAR(distance(to_array(output.point(v)), {0., 0., 0.}), 1., depth);
   }
   EXPECT_EQ(paths.size(), num_edges(output));
   for(const auto& [e, path] : paths)
@@ -389,10 +390,12 @@ TEST(Geodesic_delaunay_remeshing, deviation_is_symmetric)
     };
     Mesh coarse, output;
     GP::geodesic_delaunay_remeshing(mesh, 30, coarse);
+    // Faces that cover the input and a part of the hole deviate in one direction only.
     EXPECT_LT(input_to_output(coarse), 0.005 * scale);
     EXPECT_GT(output_to_input(coarse), 0.02 * scale);
     GP::geodesic_delaunay_remeshing(mesh, 30, output,
                                     GP::parameters::maximum_deviation(0.005 * scale));
+    // The requested deviation.
     EXPECT_LT(input_to_output(output), 0.005 * scale);
     EXPECT_LT(output_to_input(output),
               0.0055 * scale); // the deviation may be larger between edge midpoints
@@ -408,7 +411,8 @@ TEST(Geodesic_delaunay_remeshing, reaches_input_for_tiny_deviation)
   Mesh output;
   GP::geodesic_delaunay_remeshing(mesh, 20, output, GP::parameters::maximum_deviation(1e-9));
   EXPECT_EQ(num_vertices(output), num_vertices(mesh));
-  EXPECT_NEAR(PMP::area(output), PMP::area(mesh), 1e-9);
+  // Round-off errors of a sum of 400 areas.
+  EXPECT_NEAR(PMP::area(output), PMP::area(mesh), 1e-12);
 }
 
 TEST(Geodesic_delaunay_remeshing, fit_respects_maximum_deviation)
@@ -459,10 +463,10 @@ TEST(Geodesic_delaunay_remeshing, fit_reduces_mean_distance)
     };
     // The center of an equilateral triangle with circumradius r is r^2 / 2 below the sphere, and
     // the mean area is 3/8 r^2. Fitting raises the faces by this amount, which leaves a quarter.
-    // Actual triangles are not quite equilateral.
     const double unfitted = mean_distance(false), fitted = mean_distance(true);
     EXPECT_GT(unfitted, 0.01);
-    EXPECT_NEAR(fitted / unfitted, 0.25, 0.05);
+    // Actual triangles are not quite equilateral. Measured: 0.246.
+    EXPECT_NEAR(fitted / unfitted, 0.25, 0.02);
   }
 }
 

@@ -110,8 +110,8 @@ void expect_independent_of_threads(const Domain& domain, const Queries& queries)
     solver.compute(from);
     for(const auto& to : queries)
       // A front that stops at its targets does not process later updates. These may shorten a
-      // distance by at most its round-off tolerance.
-      EXPECT_NEAR(alone(row, column++), solver.distance(to), 1e-9);
+      // distance by round-off errors.
+      EXPECT_NEAR(alone(row, column++), solver.distance(to), rounding);
     ++row;
   }
 
@@ -131,7 +131,7 @@ void expect_independent_of_threads(const Domain& domain, const Queries& queries)
       if(alone(i, j) <= radius)
       {
         ++within;
-        EXPECT_NEAR(sparse.coeff(i, j), alone(i, j), 1e-9);
+        EXPECT_NEAR(sparse.coeff(i, j), alone(i, j), rounding);
       }
   EXPECT_EQ(sparse.nonZeros(), within);
 }

@@ -27,6 +27,9 @@ using Bisectors = std::vector<GP::Voronoi_bisector<Mesh>>;
 
 const std::size_t unreached = std::numeric_limits<std::size_t>::max();
 
+// Round-off errors of coordinates of a unit square.
+constexpr double round_off = 1e-12;
+
 TEST(Geodesic_voronoi_diagram, bisector_of_two_square_corners_is_the_diagonal)
 {
   for(const double scale : {1e-6, 1., 1e6})
@@ -45,9 +48,8 @@ TEST(Geodesic_voronoi_diagram, bisector_of_two_square_corners_is_the_diagonal)
     for(std::size_t i = 0; i < bisectors[0].points.size(); ++i)
     {
       const Point p = to_array(bisectors[0].points[i]);
-      EXPECT_NEAR(p[0] + p[1], scale, 1e-9 * scale);
-      // Round-off errors of coordinates.
-      EXPECT_LT(distance(p, point_of(mesh, bisectors[0].locations[i])), 1e-12 * scale);
+      EXPECT_NEAR(p[0] + p[1], scale, round_off * scale);
+      EXPECT_LT(distance(p, point_of(mesh, bisectors[0].locations[i])), round_off * scale);
     }
     const bool is_up = bisectors[0].points.back().y() > bisectors[0].points.front().y();
     EXPECT_EQ(bisectors[0].left, is_up ? 0u : 1u);
@@ -196,13 +198,13 @@ TEST(Geodesic_voronoi_cells, two_cells_are_halves_of_square)
     const Cells found = areas(cut, label);
     ASSERT_EQ(found.size(), 2u);
     // As exact as the diagonal in the bisector test above.
-    EXPECT_NEAR(found.at(0) / scale / scale, 0.5, 1e-9);
-    EXPECT_NEAR(found.at(1) / scale / scale, 0.5, 1e-9);
+    EXPECT_NEAR(found.at(0) / scale / scale, 0.5, round_off);
+    EXPECT_NEAR(found.at(1) / scale / scale, 0.5, round_off);
     for(const Face f : cut.faces())
       for(const Vertex v : vertices_around_face(cut.halfedge(f), cut))
       {
         const double sum = (cut.point(v).x() + cut.point(v).y()) / scale;
-        EXPECT_LT(get(label, f) == 0 ? sum : 2. - sum, 1. + 1e-9);
+        EXPECT_LT(get(label, f) == 0 ? sum : 2. - sum, 1. + round_off);
       }
   }
 }
@@ -258,7 +260,7 @@ TEST(Geodesic_voronoi_cells, handle_pinched_mesh)
   const auto label = cut.add_property_map<Face, std::size_t>("f:label").first;
   GP::geodesic_voronoi_cells(mesh, std::vector<Vertex>{Vertex(0), Vertex(48)}, cut, label);
   const Cells found = areas(cut, label);
-  EXPECT_NEAR(found.at(0) + found.at(1), 2., 1e-12); // round-off errors
+  EXPECT_NEAR(found.at(0) + found.at(1), 2., round_off);
 }
 
 } // namespace geodesic_voronoi_diagram_test

@@ -258,7 +258,8 @@ TEST(hodge_decomposition, separates_gradients_on_clouds)
       {
         const Cloud_components components = components_of(domain, cloud, field);
         EXPECT_LT(components.gradient, (c.is_torus ? 1. : 1.3 * step) * c.gradient);
-        EXPECT_NEAR(components.remainder, 1., 0.01);
+        // The components are orthogonal up to the error of the gradients. Measured: 0.0011.
+        EXPECT_NEAR(components.remainder, 1., 0.003);
         EXPECT_LT(components.residual, round_off);
       }
     }
@@ -282,7 +283,8 @@ TEST(hodge_decomposition, is_linear_and_scale_invariant_on_clouds)
     squared_size += gradient + GP::internal::dot(h, h);
   }
   const Cloud_components expected = components_of(point_set_of(cloud), cloud, mixture);
-  EXPECT_NEAR(expected.gradient, std::sqrt(squared_gradient / squared_size), 0.05);
+  // The errors are those of the torus above. Measured: 0.012.
+  EXPECT_NEAR(expected.gradient, std::sqrt(squared_gradient / squared_size), 0.03);
   EXPECT_LT(expected.residual, round_off);
   for(const double scale : {1e-6, 1., 1e6})
   {

@@ -46,7 +46,7 @@ TEST(logarithmic_map, converges_on_a_sphere)
   // The error decreases at least linearly with the edge length.
   const double coarse = error_on_sphere<GP::Gradient<>>(4),
                fine = error_on_sphere<GP::Gradient<>>(5);
-  EXPECT_LT(fine, 0.002);
+  EXPECT_LT(fine, 0.001); // measured: 0.0005
   EXPECT_LT(fine, 0.6 * coarse);
   EXPECT_LT(error_on_sphere<GP::Exact>(5), 0.001); // deviation of the mesh from the sphere
 }
@@ -81,7 +81,8 @@ TEST(logarithmic_map, unrolls_a_cylinder)
   EXPECT_EQ(exact.reached().size(), gradient.reached().size());
   for(const Vertex v : exact.reached())
     for(int k = 0; k < 2; ++k)
-      EXPECT_NEAR(gradient(v)[k], exact(v)[k], 1e-6);
+      // Both maps are exact on a developable surface. Round-off errors of some tens of faces.
+      EXPECT_NEAR(gradient(v)[k], exact(v)[k], 1e-12);
 }
 
 TEST(logarithmic_map, respects_maximum_distance)
@@ -175,6 +176,7 @@ TEST(logarithmic_map, has_bounded_departure_from_linearity)
       const Vector_3 offset = mesh.point(v) - frame.origin;
       return std::array<double, 2>{offset * frame.u, offset * frame.v};
     };
+    // Half to two thirds of the measured values.
     EXPECT_GT(departure_from_linearity(mesh, Vertex(0), 0.59, projected),
               0.015 * std::pow(4., level));
   }
@@ -214,7 +216,7 @@ TEST(logarithmic_map, discrete_exponential_is_exact_only_on_planes)
   // vertices.
   const double coarse = error_on_sphere<GP::Discrete_exponential>(4),
                fine = error_on_sphere<GP::Discrete_exponential>(5);
-  EXPECT_LT(fine, 0.03);
+  EXPECT_LT(fine, 0.03); // see above
   EXPECT_GT(fine, 0.8 * coarse);
 }
 
@@ -229,7 +231,8 @@ TEST(logarithmic_map, exponential_inverts_map)
   {
     const Location image = map.exponential(map(v));
     const auto p = CGAL::Polygon_mesh_processing::construct_point(image, mesh);
-    EXPECT_LT(std::sqrt(CGAL::squared_distance(p, mesh.point(v))), 1e-9);
+    // Round-off errors of some tens of faces.
+    EXPECT_LT(std::sqrt(CGAL::squared_distance(p, mesh.point(v))), 1e-12);
   }
 }
 
@@ -258,7 +261,8 @@ TEST(logarithmic_map, supports_clouds_and_polyhedra)
   GP::Logarithmic_map<Surfels> map(GP::make_domain(
       surfels, GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map())));
   map.compute(std::size_t(0), GP::parameters::maximum_distance(CGAL_PI / 2.));
-  EXPECT_LT(mean_error_on_sphere(map, [&](std::size_t i) { return surfels[i].first; }), 0.02);
+  // Measured: 0.0024.
+  EXPECT_LT(mean_error_on_sphere(map, [&](std::size_t i) { return surfels[i].first; }), 0.005);
 
   GP::Logarithmic_map<Surfels, GP::Discrete_exponential> discrete(map.domain());
   discrete.compute(std::size_t(0), GP::parameters::maximum_distance(CGAL_PI / 2.));

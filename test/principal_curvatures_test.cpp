@@ -24,11 +24,12 @@ TEST(Principal_curvatures, are_equal_on_spheres)
   GP::principal_curvatures(mesh, boost::make_assoc_property_map(on_mesh));
   for(const auto& [vertex, curvature] : on_mesh)
   {
-    // Same tolerance as in the test of the kernel.
+    // Same tolerances as in the test of the kernel.
     EXPECT_NEAR(curvature.min_curvature, 1., 0.05);
     EXPECT_NEAR(curvature.max_curvature, 1., 0.05);
-    EXPECT_NEAR(curvature.min_direction * curvature.max_direction, 0., 1e-12);
-    EXPECT_NEAR(curvature.max_direction * (mesh.point(vertex) - CGAL::ORIGIN), 0., 0.02);
+    EXPECT_NEAR(curvature.min_direction * curvature.max_direction, 0., 1e-12); // round-off errors
+    // The angle between the estimated normal and the exact one; measured: 0.004.
+    EXPECT_NEAR(curvature.max_direction * (mesh.point(vertex) - CGAL::ORIGIN), 0., 0.01);
   }
   ASSERT_EQ(on_mesh.size(), sphere.points.size());
 

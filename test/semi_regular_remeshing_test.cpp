@@ -91,6 +91,7 @@ TEST(semi_regular_remeshing, stops_at_maximum_deviation)
       GP::semi_regular_remeshing(mesh, 30, 5, fine, GP::parameters::maximum_deviation(0.03));
   EXPECT_LT(few.number_of_levels, more.number_of_levels);
   EXPECT_LT(more.number_of_levels, 5u);
+  // The requested deviations.
   EXPECT_LE(few.deviation, 0.3);
   EXPECT_LE(more.deviation, 0.03);
   EXPECT_GT(more.deviation, 0.);

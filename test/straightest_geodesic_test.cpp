@@ -154,7 +154,7 @@ TEST(Straightest_geodesic, converges_on_cloud_of_torus)
       // Surfel 0 is at both angles zero.
       const auto path = straightest_geodesic(
           domain, *points.begin(), Vector_3(0., std::cos(double(i)), std::sin(double(i))), 2.);
-      EXPECT_NEAR(path.length, 2., 1e-9);
+      EXPECT_NEAR(path.length, 2., round_off);
       sum += distance(to_array(path.points.back()), torus.geodesic(0., 0., double(i), 2.));
     }
     return sum / 12.; // relative to the length
@@ -217,7 +217,7 @@ TEST(Straightest_geodesic, scales_with_cloud)
     const Point_set points = point_set_of(cloud, factor);
     const auto path =
         straightest_geodesic(points, *(points.begin() + 9), Vector_3(0., 1., 0.4), 2. * factor);
-    EXPECT_NEAR(path.length, 2. * factor, 1e-9 * factor);
+    EXPECT_NEAR(path.length, 2. * factor, round_off * factor);
     const auto& p = path.points.back();
     return Point{p.x() / factor, p.y() / factor, p.z() / factor};
   };
@@ -232,7 +232,7 @@ TEST(Straightest_geodesic, tolerates_noise_of_cloud)
   const Point_set points =
       point_set_of(with_noise(clean, std::vector<double>(clean.size(), 0.05), 0.2, 3));
   const auto path = straightest_geodesic(points, *points.begin(), Vector_3(0., 1., 0.), 3.);
-  EXPECT_NEAR(path.length, 3., 1e-9);
+  EXPECT_NEAR(path.length, 3., round_off);
   // The normals have errors of up to 10 degrees and the points of 0.01.
   EXPECT_LT(distance(to_array(path.points.back()), {std::cos(3.), std::sin(3.), 0.}), 0.05);
   // All points are near the sphere: the noise is 0.01.

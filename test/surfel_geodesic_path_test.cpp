@@ -24,7 +24,8 @@ TEST(surfel_geodesic_path, is_straight_in_plane)
   const Surfels surfels = flat_surfels(1500);
   const auto path = GP::surfel_geodesic_path(surfels, std::size_t(4), std::size_t(5), maps);
   const double expected = std::sqrt(CGAL::squared_distance(surfels[4].first, surfels[5].first));
-  EXPECT_NEAR(path.front_distance, expected, 1e-9 * expected);
+  // Round-off errors: all fits are the plane of the surfels.
+  EXPECT_NEAR(path.front_distance, expected, 1e-12 * expected);
 }
 
 TEST(surfel_geodesic_path, is_independent_of_number_of_threads)

@@ -32,7 +32,8 @@ TEST(Tags, select_methods_with_expected_errors)
   // First order: an edge length of 1/20.
   EXPECT_NEAR(distance_across_square<Fast_marching>(), std::sqrt(2.), 1.1 / 20.);
   EXPECT_GT(distance_across_square<Fast_marching>(), std::sqrt(2.) + 1e-6);
-  EXPECT_NEAR(distance_across_square<Heat>(), std::sqrt(2.), 0.1);
+  // Depends on the time step, which is the squared edge length. Measured: 0.037.
+  EXPECT_NEAR(distance_across_square<Heat>(), std::sqrt(2.), 0.06);
 }
 
 } // namespace tags_test

@@ -52,6 +52,7 @@ TEST(transport_streamlines, cost_to_ball_approximates_distance)
       const auto end = std::find_if(ball.begin(), ball.end(),
                                     [&](Vertex v) { return is_at(v, line.points.back()); });
       ASSERT_NE(end, ball.end());
+      // Straightened streamlines are shortest only locally. Measured are 0.6 %.
       EXPECT_LE(line.length, 1.01 * from_p.distance(*end));
       EXPECT_GE(line.length, (1. - 1e-9) * from_p.distance(*end)); // round-off errors
     }
@@ -71,7 +72,7 @@ TEST(transport_streamlines, starts_at_seeds)
   {
     EXPECT_EQ(lines[i].points.front(), mesh.point(from[i]));
     EXPECT_EQ(lines[i].points.back(), mesh.point(to[i]));
-    EXPECT_NEAR(lines[i].length, 5. / 12., 1e-12);
+    EXPECT_NEAR(lines[i].length, 5. / 12., 1e-12); // round-off errors of five lengths
   }
   // Seeds at other locations: streamlines follow the boundary to their end.
   std::vector<GP::Streamline<Mesh>> lines_from_seeds;

@@ -24,6 +24,7 @@ using Sequence_tree =
 
 // Compares exact distances by window propagation with CGAL's implementation of the algorithm of
 // Chen and Han.
+// tolerance  relative round-off errors
 void expect_agreement(const Triangulation& shape, double tolerance)
 {
   const Array_surface surface(shape);

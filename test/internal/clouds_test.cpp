@@ -107,7 +107,8 @@ TEST(clouds, scan_noise_is_per_stripe_and_point)
     {
       EXPECT_EQ(truth.points[j][2], 0.);
       EXPECT_EQ(scan.points[j][0], truth.points[j][0]);
-      EXPECT_GT(scan.normals[j][2], 0.9);
+      // The noise tilts the planes of the nearest points; measured are up to 10 degrees.
+      EXPECT_GT(scan.normals[j][2], 0.97);
       // A multiple of the step of the camera.
       const double steps = scan.points[j][2] / (0.04 * spacing);
       EXPECT_NEAR(steps, std::round(steps), 1e-12);

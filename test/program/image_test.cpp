@@ -86,8 +86,8 @@ TEST(Image, polar_grid_alternates)
   const auto color = [&](double x, double y) { return grid.at(0.5 + 0.5 * x, 0.5 + 0.5 * y); };
   const double c = std::cos(angle), s = std::sin(angle);
   EXPECT_GT(std::abs(color(0.525 * c, 0.525 * s)[0] - color(0.575 * c, 0.575 * s)[0]), 0.5);
-  // Equal up to round-off errors.
   const Color here = color(0.525 * c, 0.525 * s), there = color(0.575 * c, -0.575 * s);
+  // Equal up to round-off errors.
   for(std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(here[k], there[k], 1e-12);
 }

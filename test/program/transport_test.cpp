@@ -91,7 +91,7 @@ TEST_F(Program, emd_matches_known_costs)
   const auto entries =
       json("matrix square.ply --sources 0,80 --method emd --basis 5 --values d.txt");
   EXPECT_EQ(some["basis"], entries["basis"]);
-  EXPECT_NEAR(some["value"].get<double>(), numbers("d.txt")[1], 1e-3 * exact);
+  EXPECT_NEAR(some["value"].get<double>(), numbers("d.txt")[1], round_off);
   EXPECT_GT(some["lower"].get<double>(), 0.9 * exact); // masses are distributed around points
   const std::string flow = read_file(m_folder / "b.ply");
   EXPECT_NE(flow.find("property double rotation_x\n"), std::string::npos);
@@ -217,6 +217,7 @@ TEST_F(Program, barycenter_lies_between_masses)
   // The barycenter is equally far from both corners. The barycenter of it and itself is itself.
   EXPECT_NEAR(json("emd b.ply --from mass --to 0 --normalize")["value"].get<double>(),
               std::sqrt(0.5), 0.08);
+  // Squares of round-off errors of distances.
   EXPECT_LT(json("barycenter b.ply --of mass --of b.txt")["value"], 1e-12);
   EXPECT_LT(json("barycenter b.ply --of density --of density --density")["value"], 1e-12);
   EXPECT_FALSE(json("barycenter b.ply --of 0,80 --of 8 --normalize").contains("point"));
@@ -225,7 +226,8 @@ TEST_F(Program, barycenter_lies_between_masses)
       json("barycenter square.ply --points 0,80,8 --weight 0 --weight 0 --weight 2");
   EXPECT_EQ(one["value"], 0.);
   EXPECT_EQ(one["point"], 8);
-  EXPECT_NEAR(json("barycenter cloud.xyz --points 0,11")["value"].get<double>(), 0.5, 0.02);
+  // The relative gap of barycenters.
+  EXPECT_NEAR(json("barycenter cloud.xyz --points 0,11")["value"].get<double>(), 0.5, 0.01);
 
   expect_failure("barycenter square.ply", 1, "--of");
   expect_failure("barycenter square.ply --points 0,81", 2, "81");
@@ -272,7 +274,8 @@ TEST_F(Program, fuzzy_likelihood_is_high_between_endpoints)
   for(const std::size_t corner : {0u, 8u, 72u, 80u})
   {
     EXPECT_LT(flow[corner], 0.1);
-    EXPECT_LT(detour[corner], 0.01);
+    // The detour is twelve widths long.
+    EXPECT_LT(detour[corner], 1e-4);
   }
   EXPECT_EQ(run("fuzzy cloud.xyz --from 0 --to 11 --quiet").code, 0);
 
@@ -292,7 +295,7 @@ TEST_F(Program, volume_computes_distances_and_paths)
   EXPECT_GE(pair["lower"].get<double>(), 0.4);
   EXPECT_LE(pair["lower"].get<double>(), pair["value"].get<double>());
   EXPECT_LE(pair["value"].get<double>(), pair["upper"].get<double>());
-  EXPECT_LE(pair["upper"].get<double>(), pair["upper_continuous"].get<double>() * (1. + 1e-9));
+  EXPECT_LE(pair["upper"].get<double>(), pair["upper_continuous"].get<double>());
   EXPECT_NE(read_file(m_folder / "v.ply").find("property double potential\n"), std::string::npos);
   // Each octahedron vertex has unit mass.
   EXPECT_NEAR(json("volume o.off --from 1,0,0 --to 0,1,0")["value"].get<double>(), std::sqrt(2.),
@@ -341,11 +344,13 @@ TEST_F(Program, feature_distance_matches_known_distances)
   // For locations in faces, the distance is at most a fraction of the edge length 0.125 too short.
   EXPECT_NEAR(json("feature-distance square.ply --feature-at 0.52,0.33,0")["max"].get<double>(),
               std::hypot(0.52, 0.67), 0.05);
+  // Edges split the faces along the path. The remaining error is the gap of 0.1 %.
   EXPECT_NEAR(json("feature-distance square.ply --feature-path 0,44")["max"].get<double>(),
-              2. / std::sqrt(5.), 0.01);
+              2. / std::sqrt(5.), 2e-3);
+  // The gap.
   EXPECT_NEAR(json("feature-distance square.ply --feature 72 --feature-path 0,44,8 --border")["max"]
                   .get<double>(),
-              0.375, 0.05);
+              0.375, 1e-3);
 
   expect_failure("feature-distance square.ply", 1, "--feature");
   expect_failure("feature-distance square.ply --feature 99", 2, "99");

@@ -31,10 +31,11 @@ TEST(Adjacent_sources, label_their_own_voronoi_cells)
       for(const Index source : source_set)
         expected = std::min(expected, distance(plane.points[i], plane.points[source]));
       // At cell boundaries, the error is a fraction of an edge length.
-      EXPECT_NEAR(d[i], expected, 0.25 / 12.);
+      const double error = 0.25 / 12.;
+      EXPECT_NEAR(d[i], expected, error);
       const Index nearest = front.source(surface.vertex(i));
       ASSERT_LT(nearest, source_set.size());
-      EXPECT_NEAR(distance(plane.points[i], plane.points[source_set[nearest]]), d[i], 0.25 / 12.);
+      EXPECT_NEAR(distance(plane.points[i], plane.points[source_set[nearest]]), d[i], error);
     }
   }
 }

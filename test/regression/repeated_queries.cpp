@@ -61,6 +61,7 @@ TEST(Repeated_queries, paths_are_independent_of_previous_queries)
 
 // Checks that all corners of a regular solid have the same sorted distances, possibly at other
 // vertices.
+// tolerance  the differences that the triangulation or a solver causes
 void expect_symmetry(const Triangulation& shape, Index number_of_corners, double tolerance)
 {
   const Array_surface surface(shape);

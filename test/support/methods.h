@@ -33,9 +33,9 @@ inline std::ostream& operator<<(std::ostream& out, Method method)
   return out << names[int(method)];
 }
 
-// A finalized vertex is reopened if its distance decreases by at least one part in 10^9.  Smaller
+// A finalized vertex is reopened if its distance decreases by at least one part in 10^12. Smaller
 // decreases are ignored, which adds up along some tens of vertices in these tests.
-constexpr double front_tolerance = 1e-7;
+constexpr double front_tolerance = 1e-10;
 // Round-off errors of sums of some hundred lengths.
 constexpr double round_off_tolerance = 1e-12;
 

@@ -46,6 +46,7 @@ inline void expect_path_on_surface(const Surface_arrays& t,
 }
 
 // Expects left and right angles of at least pi at each vertex that the path touches.
+// tolerance  the error of these angles
 inline void expect_locally_shortest(const internal::Locally_shortest_path& path, double tolerance)
 {
   for(const internal::Touched_vertex& touched : path.touched_vertices)

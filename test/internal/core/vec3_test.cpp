@@ -18,11 +18,11 @@ TEST(Vec3, tangent_frame_is_positively_oriented_and_orthonormal)
   {
     const Vec3 n = unit(direction);
     const auto [u, v] = tangent_frame(n);
-    // A few round-off errors of numbers up to one.
-    EXPECT_NEAR(norm(u), 1., 1e-15);
-    EXPECT_NEAR(norm(v), 1., 1e-15);
-    EXPECT_NEAR(dot(u, v), 0., 1e-15);
-    EXPECT_NEAR(norm(cross(u, v) - n), 0., 2e-15);
+    const double round_off = 1e-15; // a few errors of numbers up to one
+    EXPECT_NEAR(norm(u), 1., round_off);
+    EXPECT_NEAR(norm(v), 1., round_off);
+    EXPECT_NEAR(dot(u, v), 0., round_off);
+    EXPECT_NEAR(norm(cross(u, v) - n), 0., 2. * round_off);
   }
 }
 

@@ -14,6 +14,9 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
+// Round-off errors of unit vectors and of planes.
+constexpr double round_off = 1e-12;
+
 // Returns the curvatures by the vertices of a triangulation, in its unit.
 std::vector<Curvature> curvatures_of(const Triangulation& shape, double radius = 0.,
                                      unsigned number_of_threads = 1)
@@ -46,11 +49,12 @@ Triangulation graph(std::size_t n, double size, const std::function<double(doubl
 }
 
 // Checks that the directions are unit vectors perpendicular to each other and to the normal.
+// tolerance  the angle between the estimated normal and the given one
 void expect_frame(const Curvature& curvature, const Point& normal, double tolerance)
 {
-  EXPECT_NEAR(norm(curvature.min_direction), 1., 1e-12);
-  EXPECT_NEAR(norm(curvature.max_direction), 1., 1e-12);
-  EXPECT_NEAR(dot(curvature.min_direction, curvature.max_direction), 0., 1e-12);
+  EXPECT_NEAR(norm(curvature.min_direction), 1., round_off);
+  EXPECT_NEAR(norm(curvature.max_direction), 1., round_off);
+  EXPECT_NEAR(dot(curvature.min_direction, curvature.max_direction), 0., round_off);
   EXPECT_NEAR(dot(curvature.min_direction, normal), 0., tolerance);
   EXPECT_NEAR(dot(curvature.max_direction, normal), 0., tolerance);
 }
@@ -70,7 +74,8 @@ TEST(Curvature, sphere_curvature_is_inverse_radius)
       EXPECT_NEAR(radius * found[i].max_curvature, 1., 0.05);
       EXPECT_LE(found[i].min_curvature, found[i].max_curvature);
       const Point& p = sphere.points[i];
-      expect_frame(found[i], {p[0] / radius, p[1] / radius, p[2] / radius}, 0.02);
+      // The measured angles between the normals are up to 0.004.
+      expect_frame(found[i], {p[0] / radius, p[1] / radius, p[2] / radius}, 0.01);
     }
   }
 }
@@ -89,8 +94,9 @@ TEST(Curvature, cylinder_has_one_non_zero_curvature)
     // or less changes the curvature by an eighth.
     EXPECT_NEAR(found[i].max_curvature, 1. / radius, 0.1 / radius);
     EXPECT_NEAR(found[i].min_curvature, 0., 0.02 / radius);
-    EXPECT_GT(std::abs(found[i].min_direction[2]), 0.999);
-    EXPECT_LT(std::abs(found[i].max_direction[2]), 0.05);
+    // The mesh is symmetric about the plane of each vertex and the axis.
+    EXPECT_GT(std::abs(found[i].min_direction[2]), 1. - round_off);
+    EXPECT_LT(std::abs(found[i].max_direction[2]), round_off);
   }
 }
 
@@ -118,7 +124,8 @@ TEST(Curvature, torus_matches_formula)
       EXPECT_NEAR(curvature.max_curvature, across, 0.05 * across);
       EXPECT_NEAR(curvature.min_curvature, around, 0.05 * across);
       const Point axis = {-std::sin(a), std::cos(a), 0.};
-      EXPECT_GT(std::abs(dot(curvature.min_direction, axis)), 0.99);
+      // Within 2.6 degrees; measured are 0.4.
+      EXPECT_GT(std::abs(dot(curvature.min_direction, axis)), 0.999);
     }
 }
 
@@ -137,16 +144,17 @@ TEST(Curvature, saddle_has_curvatures_of_opposite_sign)
   // curvature decreases to (1 + 0.25^2)^-1.5 of that in the center.
   EXPECT_NEAR(middle.min_curvature, -1., 0.1);
   EXPECT_NEAR(middle.max_curvature, 1., 0.1);
-  EXPECT_GT(std::abs(dot(middle.min_direction, Point{c, s, 0.})), 0.99);
-  EXPECT_GT(std::abs(dot(middle.max_direction, Point{-s, c, 0.})), 0.99);
+  // Within 2.6 degrees; measured are 0.3.
+  EXPECT_GT(std::abs(dot(middle.min_direction, Point{c, s, 0.})), 0.999);
+  EXPECT_GT(std::abs(dot(middle.max_direction, Point{-s, c, 0.})), 0.999);
 }
 
 TEST(Curvature, plane_has_zero_curvature)
 {
   for(const Curvature& curvature : curvatures_of(square(12, 0.24)))
   {
-    EXPECT_NEAR(curvature.min_curvature, 0., 1e-12); // round-off error
-    EXPECT_NEAR(curvature.max_curvature, 0., 1e-12);
+    EXPECT_NEAR(curvature.min_curvature, 0., round_off);
+    EXPECT_NEAR(curvature.max_curvature, 0., round_off);
   }
 }
 

@@ -58,11 +58,11 @@ TEST(Speeds, total_curvature_of_a_cylinder_matches_formula)
   const Array_surface surface(pipe);
   const auto found = total_curvatures(surface.triangles(), 0.6 / surface.scale(), 2);
   const double expected = std::sqrt(2. * pi * 2. * 6.) / 2.;
-  // The same tolerance as in the curvature test: one of eight edges.
   for(Index i = 0; i < surface.size(); ++i)
     if(surface.point(i)[2] > 0.6 && surface.point(i)[2] < 5.4)
     {
-      EXPECT_NEAR(found[surface.vertex(i)], expected, 0.12 * expected);
+      // A ball covers about eight parallel edges and averages over them. Measured: 0.2 %.
+      EXPECT_NEAR(found[surface.vertex(i)], expected, 0.02 * expected);
     }
 }
 

@@ -18,6 +18,7 @@ TEST(Reverse_window_search, distance_equals_that_of_a_forward_query)
   const Surface_location source = surface.in(20, {0.2, 0.3, 0.5});
   const Window_state forward = propagate_windows(surface, source);
   Reverse_window_search search(forward.triangles, forward.is_pseudo_source);
+  // The same windows in reverse order: round-off errors of some tens of edge crossings.
   for(Index v = 0; v < surface.size(); ++v)
     EXPECT_NEAR(search.find_shortest(forward, {none, v, {}}).distance, forward.vertices[v].distance,
                 1e-12);

@@ -66,7 +66,7 @@ TEST(Approximate_windows, merged_distances_are_lower_bounds_within_the_error)
       EXPECT_LE(distance, merged.distance(x) + merged.error() + round_off);
       smallest = std::min(smallest, distance);
     }
-    EXPECT_LE(merged.error(), 0.05 * smallest);
+    EXPECT_LE(merged.error(), 0.05 * smallest); // the tolerance above
   }
   EXPECT_GT(number_of_merged_pairs, 500);
 }
@@ -96,7 +96,7 @@ TEST(Approximate_windows, errors_add_up)
   a.signed_error = 0.01f;
   ASSERT_TRUE(merge_similar(a, b, 0.1, 1e-13));
   EXPECT_GE(b.error(), error);
-  EXPECT_GE(b.error(), 0.01);
+  EXPECT_GE(b.error(), 0.01);                // that of the first window
   EXPECT_LE(b.error(), error + 0.01 + 1e-8); // an error is stored as a float
 }
 

@@ -51,6 +51,7 @@ TEST(Circular_front, is_determined_by_two_distances)
   EXPECT_FALSE(fit_source_direction(1., 1.5, fitted)); // longer than the edge
 
   EXPECT_NEAR(circle_residual(exact.curvature, 1., difference, exact.source[0]), 0., round_off);
+  // The residual has the sign of an error of the difference.
   EXPECT_GT(circle_residual(exact.curvature, 1., difference + 0.01, exact.source[0]), 0.);
   // An iteration of some steps.
   EXPECT_NEAR(fitted_curvature(0., 1., difference, exact.source[0], norm(center)), exact.curvature,

@@ -423,7 +423,7 @@ TEST(Front, is_straight_next_to_polyline_source)
             edge_length);
   std::reverse(line.begin(), line.end());
   const auto reversed = run(surface, Kind::euclidean, {surface.line(line)});
-  EXPECT_LT(largest_error(reversed, [&](Index i) { return d[i]; }), 1e-9);
+  EXPECT_LT(largest_error(reversed, [&](Index i) { return d[i]; }), round_off);
 }
 
 TEST(Front, is_exact_from_polyline_across_faces)
@@ -505,11 +505,12 @@ TEST(Front, does_not_mix_fronts_of_several_sources)
       front.run(sources);
       const auto d = surface.distances(front);
       // If two fronts meet in a triangle, each may arrive along an edge, which is at most half of
-      // an edge too long.  Few vertices are affected: the mean error is below 1 %.
+      // an edge too long.
       const double edge_length = 1. / 30.;
       EXPECT_LT(largest_error(d, exact_distance), 0.5 * edge_length)
           << number_of_sources << " sources " << has_offsets;
-      EXPECT_LT(mean_relative_error(d, edge_length, exact_distance), 0.01)
+      // Few vertices are affected: the measured mean errors are up to 2e-5.
+      EXPECT_LT(mean_relative_error(d, edge_length, exact_distance), 1e-4)
           << number_of_sources << " sources " << has_offsets;
       // The distance to the reported source is close to the minimum.
       for(Index i = 0; i < d.size(); ++i)
@@ -580,12 +581,13 @@ TEST(Front, distance_is_symmetric)
       continue;
     const double forward_distance = run(surface, Kind::euclidean, {surface.source(a)})[b],
                  backward_distance = run(surface, Kind::euclidean, {surface.source(b)})[a];
-    EXPECT_NEAR(forward_distance, backward_distance, 0.02 * forward_distance);
+    // Measured: 0.4 %.
+    EXPECT_NEAR(forward_distance, backward_distance, 0.01 * forward_distance);
     sum += std::abs(forward_distance / backward_distance - 1.);
     EXPECT_NEAR(run(surface, Kind::dijkstra, {surface.source(a)})[b],
                 run(surface, Kind::dijkstra, {surface.source(b)})[a], round_off);
   }
-  EXPECT_LT(sum / 40., 0.004);
+  EXPECT_LT(sum / 40., 0.004); // measured: 0.0014
 }
 
 TEST(Front, satisfies_triangle_inequality)
@@ -740,10 +742,10 @@ TEST(Front, reaches_exactly_vertices_within_maximum_distance)
       for(Index i = 0; i < surface.size(); ++i)
       {
         const double d = surface.scale() * front.distance(surface.vertex(i));
-        // The front ignores improvements below 1e-9.
+        // A front that stops has the same values, except for corrections from beyond its limit.
         if(all[i] <= limit * (1. - 1e-9))
         {
-          EXPECT_NEAR(d, all[i], 1e-8) << "limit " << limit << " kind " << int(kind);
+          EXPECT_NEAR(d, all[i], flat_tolerance) << "limit " << limit << " kind " << int(kind);
         }
         else if(all[i] > limit * (1. + 1e-9))
         {
@@ -791,7 +793,7 @@ TEST(Front, distances_of_targets_match_full_run)
           limits.targets.push_back(random_location(*surface.triangles(), random));
         front.run({surface.source(0)}, limits);
         for(const Surface_location& target : limits.targets)
-          EXPECT_NEAR(front.distance(target), full.distance(target), 1e-8); // see flat_tolerance
+          EXPECT_NEAR(front.distance(target), full.distance(target), flat_tolerance);
       }
       // The query stops after a target that is close to the source.
       Front_limits limits;

@@ -83,12 +83,13 @@ TEST(Vertex_fans, split_obtuse_corners_into_acute_ones)
       EXPECT_TRUE(split.neighbor == t.corner[next_halfedge(split.corner)] ||
                   split.neighbor == t.corner[previous_halfedge(split.corner)]);
       EXPECT_TRUE(split.neighbor == vertex || split.neighbor == split.along);
-      // Round-off errors of a few unfoldings.
+      const double round_off = 1e-12; // of a few unfoldings
       EXPECT_NEAR(surface.scale() * split.base,
-                  distance(position_of(vertex), position_of(split.along)), 1e-12);
+                  distance(position_of(vertex), position_of(split.along)), round_off);
       const Vec2 to_along = split.apex - Vec2{split.base, 0.};
-      EXPECT_NEAR(surface.scale() * norm(split.apex), distance(position_of(vertex), x), 1e-12);
-      EXPECT_NEAR(surface.scale() * norm(to_along), distance(position_of(split.along), x), 1e-12);
+      EXPECT_NEAR(surface.scale() * norm(split.apex), distance(position_of(vertex), x), round_off);
+      EXPECT_NEAR(surface.scale() * norm(to_along), distance(position_of(split.along), x),
+                  round_off);
       const Point a = position_of(split.neighbor);
       EXPECT_GT(dot(Point{a[0] - x[0], a[1] - x[1], 0.},
                     Point{position[0] - x[0], position[1] - x[1], 0.}),

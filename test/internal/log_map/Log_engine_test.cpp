@@ -37,12 +37,12 @@ double largest_error(const Log_kind& kind)
 
 TEST(Log_engine, is_exact_in_the_plane)
 {
-  // Exact distances and angles up to round-off errors.
-  EXPECT_LT(largest_error({Log_method::exact}), 1e-9);
-  EXPECT_LT(largest_error({Log_method::gradient, Distance_method::exact}), 1e-9);
-  EXPECT_LT(largest_error({Log_method::gradient, Distance_method::euclidean_front}), 1e-6);
-  // Sums of steps in one plane.
-  EXPECT_LT(largest_error({Log_method::discrete_exponential}), 1e-9);
+  // Exact distances and angles, or sums of steps in one plane, up to round-off errors.
+  const double round_off = 1e-12;
+  EXPECT_LT(largest_error({Log_method::exact}), round_off);
+  EXPECT_LT(largest_error({Log_method::gradient, Distance_method::exact}), round_off);
+  EXPECT_LT(largest_error({Log_method::gradient, Distance_method::euclidean_front}), round_off);
+  EXPECT_LT(largest_error({Log_method::discrete_exponential}), round_off);
 }
 
 TEST(Log_engine, respects_maximum_distance)

@@ -98,6 +98,7 @@ TEST(log_map, mean_normal_angle_matches_sphere)
   // between two of them is approximately the length of the edge.
   const Array_surface surface(icosphere(3));
   const double scale = surface.t().scale;
+  // The angles are measured to be up to 0.009 smaller than the edge length.
   for(const Index vertex : {0u, 20u, 300u})
     EXPECT_NEAR(mean_normal_angle(surface.t(), surface.at(vertex)),
                 scale * mean_edge_length(surface.t(), surface.at(vertex)), 0.01);
@@ -110,6 +111,8 @@ TEST(log_map, steps_are_transported_along_great_circles)
   const Array_surface surface(icosphere(3));
   const Index base = surface.vertex(0);
   const Tangent_plane plane(surface.t(), surface.at(0));
+  // Round-off errors of a rotation.
+  const double rotation_error = 1e-13;
   for(const double angle : {0., 1., 2., 4.})
     for(const double distance : {0., 0.5, 2., 3.1})
     {
@@ -119,15 +122,15 @@ TEST(log_map, steps_are_transported_along_great_circles)
                  forward = std::cos(distance) * outward + -std::sin(distance) * up;
       const Vec3 left = cross(up, outward);
       const Vec2 u = {std::cos(angle), std::sin(angle)};
-      EXPECT_LT(norm(transported_step(plane, normal, 0.1 * forward) - 0.1 * u), 1e-13);
-      // Round-off error of a rotation.
-      EXPECT_LT(norm(transported_step(plane, normal, 0.1 * left) - 0.1 * Vec2{-u[1], u[0]}), 1e-13);
+      EXPECT_LT(norm(transported_step(plane, normal, 0.1 * forward) - 0.1 * u), rotation_error);
+      EXPECT_LT(norm(transported_step(plane, normal, 0.1 * left) - 0.1 * Vec2{-u[1], u[0]}),
+                rotation_error);
       // A step out of the tangent plane is projected to it and keeps its length.
       const Vec3 tilted = 0.3 * forward + 0.4 * normal;
-      EXPECT_LT(norm(transported_step(plane, normal, tilted) - 0.5 * u), 1e-13);
+      EXPECT_LT(norm(transported_step(plane, normal, tilted) - 0.5 * u), rotation_error);
     }
-  EXPECT_NEAR(norm(transported_step(plane, -1. * plane.normal(), plane.x())), 1., 1e-13);
-  EXPECT_LT(norm(plane.normal() - vertex_normal(surface.t(), base)), 1e-13);
+  EXPECT_NEAR(norm(transported_step(plane, -1. * plane.normal(), plane.x())), 1., rotation_error);
+  EXPECT_LT(norm(plane.normal() - vertex_normal(surface.t(), base)), rotation_error);
 }
 
 TEST(log_map, counts_cut_and_folded_triangles)

@@ -84,6 +84,7 @@ TEST(Intrinsic_delaunay, long_diagonal_is_flipped)
   Surface_arrays t = *surface.triangles();
   EXPECT_EQ(flip_to_delaunay(t).size(), 1u);
   expect_delaunay(t);
+  // The round-off error of one unfolding.
   EXPECT_NEAR(surface.scale() * *std::min_element(t.length.begin(), t.length.end()), 1., 1e-15);
 }
 
@@ -130,6 +131,7 @@ TEST(Intrinsic_delaunay, handles_triangles_that_share_two_edges)
   const double before = area(t);
   flip_to_delaunay(t);
   expect_delaunay(t);
+  // The round-off errors of a few flips.
   EXPECT_NEAR(area(t), before, 1e-12);
 }
 
@@ -150,6 +152,7 @@ void expect_bisected(const Triangulation& surface)
   EXPECT_NEAR(area(t), total_area, 1e-10 * total_area); // thousands of round-off errors
   flip_to_delaunay(t);
   expect_delaunay(t);
+  // Thousands of round-off errors.
   EXPECT_NEAR(area(t), total_area, 1e-10 * total_area);
 }
 

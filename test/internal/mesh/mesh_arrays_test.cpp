@@ -160,6 +160,7 @@ TEST(Mesh_arrays, every_edge_has_positive_length)
   const std::vector<double>& length = mesh.arrays.length;
   for(Index h = 0; h < length.size(); ++h)
   {
+    // Lengths are at least min_edge_length, 1.5e-11.
     EXPECT_GT(length[h], 1e-11);
     EXPECT_LE(length[h], length[next_halfedge(h)] + length[previous_halfedge(h)]);
     const Index twin = mesh.arrays.twin[h];

@@ -24,6 +24,7 @@ TEST(eigen_system, diagonalizes_a_symmetric_matrix)
                   1e-14 * double(n)); // round-off errors
     const Eigen::MatrixXd product =
         found.vectors * found.values.asDiagonal() * found.vectors.transpose();
+    // Round-off errors of sums of n products.
     EXPECT_LT((product - matrix).cwiseAbs().maxCoeff(), 1e-14 * double(n));
   }
 }

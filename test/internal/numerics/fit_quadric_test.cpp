@@ -59,6 +59,7 @@ TEST(fit_quadric, has_minimal_norm_if_underdetermined)
   for(int i = 0; i < 10; ++i)
     points.push_back({double(i), 2. * i, 0.});
   const Quadric found = fit_quadric(points.front(), points);
+  // A few round-off errors.
   EXPECT_NEAR(norm(found.normal()), 1., 1e-14);
   // square root of the round-off error
   EXPECT_NEAR(dot(found.normal(), unit({1., 2., 0.})), 0., 1e-7);

@@ -50,14 +50,16 @@ double error_in_plane(const Array_surface& surface, const std::vector<Vec2>& ima
 TEST(lle, is_isometric_on_planar_patch)
 {
   const Array_surface surface(square(40, 0.25));
-  // Round-off errors, and some millionths from the ends of fronts.
+  // Round-off errors of the front and of the least squares system, whose condition numbers are
+  // large. Measured: 1.4e-7.
   for(const std::size_t number : {4u, 20u, 100u})
-    EXPECT_LT(error_in_plane(surface, flatten(surface, number).image), 2e-5) << number;
+    EXPECT_LT(error_in_plane(surface, flatten(surface, number).image), 1e-6) << number;
 }
 
 TEST(lle, is_isometric_on_developable_patch)
 {
-  // A quarter of a cylinder: chords are shorter than arcs by less than 1e-4.
+  // A quarter of a cylinder. Chords are shorter than arcs by the fraction h^2 / 24, where the edge
+  // length h is 0.052. The sum is 2e-4.
   const Array_surface surface(grid(
       30, 30,
       [](double s, double t) -> Point {
@@ -75,7 +77,8 @@ TEST(lle, is_isometric_on_developable_patch)
                                                             flattening.image[surface.vertex(0)]) -
                                      std::hypot(arc_length, p[2] - q[2])));
   }
-  EXPECT_LT(max_error, 2e-3);
+  // Twice the deficit of the chords.
+  EXPECT_LT(max_error, 4e-4);
 }
 
 TEST(lle, interpolates_base_points_continuously)

@@ -99,7 +99,8 @@ TEST(symmetric_dirichlet, result_is_a_local_minimum)
       std::vector<Vec2> moved = image;
       for(Vec2& p : moved)
         p = p + size * Vec2{std::sin(dot(a, p)), std::cos(dot(b, p) + c[0])};
-      EXPECT_GE(energy(surface.t(), moved), found.energy * (1. - 2e-6)) << size;
+      // The last step decreased the energy by less than the fraction 1e-6.
+      EXPECT_GE(energy(surface.t(), moved), found.energy * (1. - 1e-6)) << size;
     }
 }
 

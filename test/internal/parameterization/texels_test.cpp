@@ -37,6 +37,7 @@ TEST(texels, texel_center_selects_triangle)
         // Half a texel from an edge, or the diagonal of half a texel from a corner.
         EXPECT_NE(texels.triangle[texel], none);
         const bool is_corner = (i == 1 || i == 6) && (j == 1 || j == 6);
+        // Round-off errors of numbers below 8.
         EXPECT_NEAR(texels.squared_distance[texel], is_corner ? 0.5 : 0.25, 1e-14);
       }
       else
@@ -62,6 +63,7 @@ TEST(texels, nearest_barycentric_is_closest_point)
     // No point of a grid on the triangle is closer.
     for(int i = 0; i <= 20; ++i)
       for(int j = 0; i + j <= 20; ++j)
+        // A few round-off errors.
         EXPECT_LE(found, norm((i / 20.) * image[0] + (j / 20.) * image[1] +
                               ((20 - i - j) / 20.) * image[2] - point) +
                              1e-13);

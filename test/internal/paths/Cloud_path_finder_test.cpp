@@ -97,7 +97,8 @@ TEST(Cloud_path_finder, follows_great_circles)
       EXPECT_LE(found.path.length, found.initial_length * (1. + round_off));
       EXPECT_LE(found.path.polyline_length, found.path.length * (1. + round_off));
       for(const Vec3& p : finder.points(found))
-        EXPECT_NEAR(norm(p), 1., 1e-9);
+        // Projections to the fitted spheres.
+        EXPECT_NEAR(norm(p), 1., round_off);
       expect_energy_decreases(found);
     }
   }
@@ -235,8 +236,9 @@ TEST(Cloud_path_finder, crosses_sharp_edges_of_cube)
     EXPECT_NEAR(finder.scale() * found.path.length, expected,
                 method == Surfel_path_method::projected_quadrics ? 2e-3 : 0.02)
         << int(method);
+    // Near a face, all surfels have its plane.
     for(const Vec3& x : finder.points(found))
-      EXPECT_NEAR(std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}), 0.5, 0.02);
+      EXPECT_NEAR(std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}), 0.5, round_off);
   }
 }
 
@@ -297,7 +299,8 @@ TEST(Cloud_path_finder, does_not_jump_between_sheets)
   const std::size_t from = nearest_point(fold, {0.5, 0.25, fold_radius}),
                     to = nearest_point(fold, {0.5, 0.25, -fold_radius});
   const Cloud_path found = finder(from, to);
-  EXPECT_NEAR(finder.scale() * found.path.length, 1. + pi * fold_radius, 0.01);
+  // The radius of the arc is one spacing, so that fits follow it only roughly. Measured: 3e-4.
+  EXPECT_NEAR(finder.scale() * found.path.length, 1. + pi * fold_radius, 2e-3);
 }
 
 void expect_steps_along_edges(const Surfel_cloud& cloud, const Cloud_path& found)

@@ -228,7 +228,7 @@ TEST(Cloud_tracer, tolerates_noise)
     const Vec3 p = clean.points[i], direction = tangent_frame(p).first;
     const Traced_path path = trace({i, {0., 0.}}, direction, 3.);
     EXPECT_FALSE(path.is_cut_by_boundary);
-    EXPECT_NEAR(path.length, 3., 1e-9);
+    EXPECT_NEAR(path.length, 3., round_off);
     sum += norm(path.points.back() - std::cos(3.) * p - std::sin(3.) * direction) / 3.;
   }
   // The normals have errors of up to 10 degrees, the points of 0.01.  Measured: 0.003.
@@ -285,7 +285,8 @@ TEST(Cloud_tracer, handles_single_and_coincident_surfels)
   const Traced_path path =
       tracer_of(square)({Index(square.size() - 1), {0., 0.}}, {1., 1., 0.}, 0.5);
   EXPECT_FALSE(path.is_cut_by_boundary);
-  EXPECT_LT(norm(path.points.back() - Vec3{0.5 * std::sqrt(0.5), 0.5 * std::sqrt(0.5), 0.}), 1e-9);
+  EXPECT_LT(norm(path.points.back() - Vec3{0.5 * std::sqrt(0.5), 0.5 * std::sqrt(0.5), 0.}),
+            round_off);
 }
 
 TEST(Cloud_tracer, throws_on_invalid_direction_or_length)

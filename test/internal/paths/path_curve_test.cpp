@@ -39,6 +39,7 @@ TEST(path_curve, arc_length_unfolds_sharp_edge)
   // The points are on two orthogonal planes; the path also has a component along their edge.
   const Projection from = {{-1., 0., 0.}, {0., 0., 1.}, {0., 0., 0.}, 0},
                    to = {{0., 2., -3.}, {1., 0., 0.}, {0., 0., 0.}, 0};
+  // A few round-off errors.
   EXPECT_NEAR(arc_length(from, to), std::hypot(4., 2.), 1e-14);
 }
 
@@ -54,10 +55,11 @@ TEST(path_curve, subdivision_reproduces_cubic_polynomials)
   ASSERT_EQ(result.size(), 15u);
   for(std::size_t i = 0; i < cubic.size(); ++i)
     EXPECT_EQ(result[2 * i].point, cubic[i].point);
-  // The new points of segments with two neighbors; round-off errors of numbers near 1.
+  // The new points of segments with two neighbors.
   for(std::size_t i = 3; i + 3 < result.size(); i += 2)
   {
     const double x = result[i].point[0];
+    // Round-off errors of numbers near 1.
     EXPECT_NEAR(result[i].point[1], 0.25 * x * x * x, 1e-14);
   }
 }

@@ -119,10 +119,11 @@ TEST(Path_to_sources, ends_at_nearest_point_of_polyline)
     const Surface_location from = random_location(t, random);
     const auto path = find_path(t, front, from, {surface.line(edge_vertices)});
     ASSERT_FALSE(path.empty());
-    // Shortening keeps the end of the traced path.  Its error is of first order in the edge length
-    // 1/20, so that the error of the length is of second order.
     const Point p = point_at(t, from), q = point_at(t, path.back());
+    // A round-off error of a coordinate.
     EXPECT_NEAR(q[1], 0., 1e-15);
+    // Shortening keeps the end of the traced path. Its error is of first order in the edge length
+    // 1/20, so that the error of the length is of second order.
     EXPECT_LT(surface.scale() * path_length(t, path), p[1] * 1.02 + 1e-3);
   }
 }

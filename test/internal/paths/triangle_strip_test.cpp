@@ -45,12 +45,13 @@ TEST(triangle_strip, unfolding_preserves_distances_in_plane)
   ASSERT_EQ(strip.halfedges.size(), 3u);
   EXPECT_EQ(strip.last_triangle(surface.t()), surface.triangle(3));
   Unfolded_strip unfolded;
-  // From (0.3, 0.5) to (2.2, 2.8); round-off errors of numbers near 3.
+  const double round_off = 1e-14; // of numbers near 3
+  // From (0.3, 0.5) to (2.2, 2.8).
   unfolded.unfold(surface.t(), strip, surface.in(0, {0.4, 0.1, 0.5}),
                   surface.in(3, {0.1, 0.2, 0.7}));
-  EXPECT_NEAR(norm(unfolded.end) * surface.scale(), std::hypot(1.9, 2.3), 1e-14);
+  EXPECT_NEAR(norm(unfolded.end) * surface.scale(), std::hypot(1.9, 2.3), round_off);
   for(const Vec2& left : {unfolded.left[1], unfolded.left[2]})
-    EXPECT_NEAR(norm(left) * surface.scale(), std::hypot(1.7, 0.5), 1e-14);
+    EXPECT_NEAR(norm(left) * surface.scale(), std::hypot(1.7, 0.5), round_off);
 }
 
 TEST(triangle_strip, shortest_path_bends_at_reflex_corner_only)

@@ -150,7 +150,8 @@ TEST(Base_mesh, edges_on_sphere_are_near_geodesic)
     sum += length_of(base, edge);
     shortest += exact;
   }
-  EXPECT_NEAR(sum, shortest, 0.005 * shortest);
+  // Few paths are not shortest, and these are longer by the square of the displacement, (1/200)^2.
+  EXPECT_NEAR(sum, shortest, 1e-4 * shortest);
 }
 
 TEST(Base_mesh, preserves_topology)

@@ -38,11 +38,11 @@ TEST(Fitting, keeps_points_on_the_surface)
 {
   Square_fixture fixture(square(10));
   const std::vector<Vec3> before = fixture.coarse.points;
-  // Round-off errors of numbers below two.
-  EXPECT_TRUE(far_vertices(fixture.fine.t(), fixture.labels, fixture.coarse, 1e-14).empty());
+  const double round_off = 1e-14; // of numbers below two
+  EXPECT_TRUE(far_vertices(fixture.fine.t(), fixture.labels, fixture.coarse, round_off).empty());
   fit(fixture.fine.t(), fixture.labels, std::vector<bool>(4, false), fixture.coarse);
   for(std::size_t i = 0; i < 4; ++i)
-    EXPECT_LT(norm(fixture.coarse.points[i] - before[i]), 1e-14);
+    EXPECT_LT(norm(fixture.coarse.points[i] - before[i]), round_off);
 }
 
 TEST(Fitting, moves_points_to_offset_surface)

@@ -193,7 +193,8 @@ TEST(Smoothing, stays_on_surface_and_at_corners)
   };
   const std::vector<Point> before = smoothed(surface, input, 0),
                            after = smoothed(surface, input, 20);
-  EXPECT_GT(min_edge_length(after), min_edge_length(before) + 0.01);
+  // Measured are 0.18 before and 0.27 after smoothing.
+  EXPECT_GT(min_edge_length(after), min_edge_length(before) + 0.05);
   for(const Point& p : after)
   {
     EXPECT_LT(norm(p), 1. + 1e-14); // round-off error of a point on the unit circle

@@ -54,17 +54,18 @@ TEST(Relaxation, converges_on_square_and_strip)
     // Round-off errors of coordinates.
     EXPECT_LT(distance(one.points[0], {scale / 2., scale / 2., 0.}), 1e-13 * scale);
 
-    // On a strip of aspect ratio four, the limits are the centers of four squares. A step
-    // multiplies errors by at most 0.84 = sqrt(momentum), so that 60 steps reduce them to 1e-4.
+    // On a strip of aspect ratio four, the limits are the centers of four squares.
     for(Point& p : plane.points)
       p[1] /= 4.;
     const Array_surface strip(plane);
+    // A step multiplies errors by at most 0.84 = sqrt(momentum), so that 60 steps reduce them to
+    // 1e-4.
+    const double error = 1e-4 * scale;
     const Relaxed four = relaxed(
         strip, {strip.at(10 * 21), strip.at(10 * 21 + 3), strip.at(10 * 21 + 10), strip.at(440)},
         60);
     for(int i = 0; i < 4; ++i)
-      EXPECT_LT(distance(four.points[i], {(0.125 + 0.25 * i) * scale, 0.125 * scale, 0.}),
-                1e-4 * scale);
+      EXPECT_LT(distance(four.points[i], {(0.125 + 0.25 * i) * scale, 0.125 * scale, 0.}), error);
   }
 }
 

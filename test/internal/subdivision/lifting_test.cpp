@@ -62,7 +62,8 @@ TEST(Lifting, synthesis_is_the_inverse_of_analysis)
               x *= scale;
             const std::vector<double> before = values;
             lifting.analyze(values, 3, is_in_frames);
-            EXPECT_GT(root_mean_square(values, before), 0.01 * scale);
+            // Details are much smaller than coordinates. Measured differences are at least 0.58.
+            EXPECT_GT(root_mean_square(values, before), 0.3 * scale);
             lifting.synthesize(values, 3, is_in_frames);
             for(std::size_t i = 0; i < values.size(); ++i)
               ASSERT_NEAR(values[i], before[i], 1e-12 * max_magnitude(before)); // round-off errors
@@ -84,7 +85,7 @@ TEST(Lifting, inverts_arbitrary_values)
     lifting.analyze(values, 3, true);
     lifting.synthesize(values, 3, true);
     for(std::size_t i = 0; i < values.size(); ++i)
-      ASSERT_NEAR(values[i], m.values[i], 1e-12 * max_magnitude(m.values));
+      ASSERT_NEAR(values[i], m.values[i], 1e-12 * max_magnitude(m.values)); // round-off errors
   }
 }
 

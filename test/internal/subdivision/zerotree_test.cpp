@@ -109,6 +109,8 @@ TEST(Zerotree, every_prefix_decodes_and_error_decreases)
               1.05 * best); // local frames of an incomplete surface can increase the error slightly
     best = std::min(best, last);
   }
+  // The unit of the last plane is 2^-15 of the largest coefficient, which is weighted by its norm.
+  // The weights of the finest details are small. Measured: 4e-4.
   EXPECT_LT(last, 1e-3);
 }
 

@@ -171,6 +171,7 @@ TEST(Surfel_surface, ends_at_boundary)
       // Round-off errors; all surfels have the same plane.
       EXPECT_LE(norm(projection.point - cloud.point[i]), 1.5 * cloud.radius[i] * (1. + 1e-12));
       EXPECT_NEAR(dot(projection.conormal, {side, 0., 0.}), 1., 1e-12);
+      // All surfels have the plane z = 0.
       EXPECT_NEAR(projection.point[2], 0., 1e-14);
     }
 }
@@ -247,12 +248,14 @@ TEST(Surfel_surface, walk_length_follows_graph)
   };
   const auto walk_length = [&](Index from, Index to)
   { return cloud.frame.scale * surface.surface.walk_length(from, to); };
+  // Round-off errors of sums of some tens of lengths.
+  const double round_off = 1e-12;
   EXPECT_EQ(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.1, 0.1)), 0.);
   // The walk is at most as long as the path along both axes of the lattice.
   EXPECT_GE(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.4, 0.3)),
-            std::hypot(0.3, 0.2) - 1e-9);
-  EXPECT_LE(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.4, 0.3)), 0.5 + 1e-9);
-  EXPECT_NEAR(walk_length(nearest_vertex(0.4, 0.7), nearest_vertex(0.6, 0.7)), 0.2, 1e-9);
+            std::hypot(0.3, 0.2) - round_off);
+  EXPECT_LE(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.4, 0.3)), 0.5 + round_off);
+  EXPECT_NEAR(walk_length(nearest_vertex(0.4, 0.7), nearest_vertex(0.6, 0.7)), 0.2, round_off);
   EXPECT_EQ(walk_length(nearest_vertex(0.4, 0.1), nearest_vertex(0.6, 0.1)), infinity);
 }
 
@@ -271,6 +274,7 @@ TEST(Surfel_surface, preserves_sharp_edges)
       const auto [u, v] = tangent_frame(cloud.normal[i]);
       const Projection projection =
           surface.project(cloud.point[i] + 0.02 * u + 0.01 * v + 0.01 * cloud.normal[i], i);
+      // A few round-off errors.
       EXPECT_NEAR(std::abs(dot(projection.point, cloud.normal[projection.vertex])), half, 1e-14);
     }
   }

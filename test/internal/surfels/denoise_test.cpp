@@ -46,10 +46,10 @@ TEST(denoise, noise_level_is_proportional_to_noise)
   for(const double level : {0.1, 0.5, 1.})
   {
     const Cloud noisy = with_noise(square, std::vector<double>(1600, 1. / 39.), level, 1);
-    // The median difference of two random numbers from an interval of length 2 level is 0.586
-    // level.  The normals add up to 0.03.
     const double found = noise_level(noisy.points, noisy.normals);
     EXPECT_GT(found, 0.4 * level);
+    // The median difference of two random numbers from an interval of length 2 level is 0.586
+    // level. The normals add up to 0.03.
     EXPECT_LT(found, 0.65 * level + 0.03);
   }
 }

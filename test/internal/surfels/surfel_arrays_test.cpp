@@ -248,7 +248,7 @@ void expect_tiling(const Cloud& cloud, double tolerance)
   EXPECT_GT(fully_weighted, (1. - tolerance) * t.number_of_triangles());
   EXPECT_GT(interior, (1. - tolerance) * halfedges.size());
   EXPECT_NEAR(weighted_area(t), 1., tolerance);
-  EXPECT_LT(weighted_area(t), 1. + 1e-12);
+  EXPECT_LT(weighted_area(t), 1. + 1e-12); // round-off errors of a sum of weighted areas
 }
 
 TEST(Surfel_arrays, triangles_tile_random_samples_of_a_plane)

@@ -30,6 +30,7 @@ TEST(make_regions, regions_are_connected)
 {
   const Surfel_cloud cloud = torus_and_patch();
   const Vertex_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
+  // Regions have 32 vertices. In each of two components, the last region is incomplete.
   EXPECT_NEAR(double(regions.size()), double(cloud.number_of_vertices()) / 32., 2.);
   // Without the edges between regions, the number of connected components is the number of regions.
   std::vector<Index> component(regions.size(), none), reached(cloud.number_of_vertices(), none),
@@ -79,11 +80,11 @@ TEST(make_regions, edge_lengths_bound_shortest_paths)
       // path are shortest paths, so it is less than twice as long in practice.
       EXPECT_GT(regions.graph.length[e], shortest * (1. - 1e-12));
       EXPECT_LT(regions.graph.length[e], 2. * shortest);
-      // The reverse edge has the same length up to the order of summation.
       const auto begin = regions.graph.target.begin() + regions.graph.begin[other],
                  end = regions.graph.target.begin() + regions.graph.begin[other + 1];
       const auto back = std::find(begin, end, region);
       ASSERT_NE(back, end);
+      // The reverse edge has the same length up to the order of summation.
       EXPECT_NEAR(regions.graph.length[std::size_t(back - regions.graph.target.begin())],
                   regions.graph.length[e], 1e-14);
     }

@@ -110,7 +110,7 @@ TEST(Barycenter_solver, bounds_are_certified)
     const std::vector<double> weights = {1., 0.5, 2.};
     const Barycenter_result found = solver.solve(masses, weights, with_tolerance(0.01));
     EXPECT_TRUE(found.is_converged);
-    EXPECT_GE(found.lower, 0.99 * found.upper);
+    EXPECT_GE(found.lower, 0.99 * found.upper); // the requested gap
     expect_certified(solver.operators(), masses, weights, found);
     Barycenter_options few_iterations = with_tolerance(1e-6);
     few_iterations.maximum_iterations = 10;
@@ -240,6 +240,7 @@ TEST(Barycenter_solver, full_weight_selects_mass)
   const double distance = distances.solve(masses[0] - masses[1]).upper;
   const Barycenter_result nearly_second =
       solver.solve({masses[0], masses[1]}, {1e-3, 1.}, with_tolerance(0.01));
+  // A lower bound of a minimum.
   EXPECT_LE(nearly_second.lower, 1e-3 * distance * distance);
   // The optimum is at 1e-3 of the distance.  A cost that is 1 % of 1e-3 too large moves it by at
   // most 0.0032 of the distance.

@@ -280,7 +280,8 @@ TEST(Curve_embedding, preserves_functions_masses_and_fields)
   Field field = gradient(b, Vector::Random(Eigen::Index(fine.number_of_vertices())));
   const Vector before = embedding.coarsened(minus_divergence(b, field)),
                after = minus_divergence(a, embedding.coarsened(field));
-  EXPECT_LT((before - after).lpNorm<Eigen::Infinity>(), 1e-7 * before.lpNorm<Eigen::Infinity>());
+  EXPECT_LT((before - after).lpNorm<Eigen::Infinity>(),
+            round_off * before.lpNorm<Eigen::Infinity>());
   const Vector masses = Vector::Random(Eigen::Index(fine.number_of_vertices()));
   EXPECT_NEAR(embedding.coarsened(masses).dot(function), masses.dot(refined), round_off);
 }

@@ -157,14 +157,15 @@ TEST(Multilevel_transport_solver, transports_densities)
     from.density[surface.vertex(i)] = 2. * (1. - x);
     to.density[surface.vertex(i)] = 2. * x;
   }
+  // The gap, and a twentieth of the squared edge length (1/16)^2.
+  const double error = 2e-4;
   for(const unsigned refinements : {0u, 1u})
   {
     const Transport_result found = Multilevel_transport_solver(surface.triangles(), refinements)
                                        .solve(from, to, with_tolerance(1e-5, true));
     EXPECT_LE(found.lower, 1. / 3. * (1. + round_off));
     EXPECT_GE(found.upper_continuous, 1. / 3.);
-    EXPECT_NEAR(found.value, 1. / 3.,
-                2e-4); // the gap, and a twentieth of the squared edge length (1/16)^2
+    EXPECT_NEAR(found.value, 1. / 3., error);
     EXPECT_LT(found.upper_continuous, 0.5);
   }
   // With normalization, the total mass does not matter.
@@ -172,7 +173,7 @@ TEST(Multilevel_transport_solver, transports_densities)
   Transport_options options = with_tolerance(1e-5);
   options.do_normalize = true;
   EXPECT_NEAR(Multilevel_transport_solver(surface.triangles()).solve(from, to, options).value,
-              1. / 3., 2e-4);
+              1. / 3., error);
 }
 
 TEST(Multilevel_transport_solver, accepts_all_kinds_of_masses)
@@ -218,10 +219,11 @@ TEST(Multilevel_transport_solver, respects_metric)
         .solve(at(from), at(to), with_tolerance(1e-6))
         .value;
   };
-  // A gap of 1e-6; the errors measured are 6e-8 of the length.
-  EXPECT_NEAR(value({}), std::sqrt(2.), 1e-6 * std::sqrt(2.));
+  // The gap; the errors measured are 6e-8 of the length.
+  const double gap = 1e-6;
+  EXPECT_NEAR(value({}), std::sqrt(2.), gap * std::sqrt(2.));
   EXPECT_NEAR(value(std::vector<Metric_tensor>(n, {3., 0., 3.})), 3. * std::sqrt(2.),
-              3e-6 * std::sqrt(2.));
+              3. * gap * std::sqrt(2.));
   // Doubling lengths along x gives the diagonal of a rectangle.  Tensors are given in the frame
   // of each triangle.
   std::vector<Metric_tensor> metric;
@@ -232,10 +234,10 @@ TEST(Multilevel_transport_solver, respects_metric)
     const double c = direction[0], s = direction[1];
     metric.push_back({1. + c * c, -c * s, 1. + s * s});
   }
-  EXPECT_NEAR(value(metric), std::sqrt(5.), 1e-6 * std::sqrt(5.));
+  EXPECT_NEAR(value(metric), std::sqrt(5.), gap * std::sqrt(5.));
   const Transport_result bounded = Multilevel_transport_solver(surface.triangles(), 1, metric)
                                        .solve(at(from), at(to), with_tolerance(1e-6, true));
-  EXPECT_NEAR(bounded.value, std::sqrt(5.), 1e-6 * std::sqrt(5.));
+  EXPECT_NEAR(bounded.value, std::sqrt(5.), gap * std::sqrt(5.));
   EXPECT_GE(bounded.upper_continuous, std::sqrt(5.));
   EXPECT_LE(bounded.upper_continuous, 1.5 * std::sqrt(5.));
 }
@@ -464,6 +466,7 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
         // exit.
         const bool is_nearest =
             exact_distance(surface, surface.at(from), surface.at(exit)) < exact + round_off;
+        // The gap of 1e-6 of the cost, which the next exit exceeds by some percent.
         EXPECT_NEAR(found.arrivals[surface.vertex(exit)], is_nearest ? 2. : 0., 1e-3);
       }
     }
@@ -526,7 +529,7 @@ TEST(Multilevel_transport_solver, mass_arrives_along_region)
     Transport_options options = with_tolerance(1e-6);
     options.do_normalize = true;
     const Transport_result at_exit = solver.solve_to_region(some, options);
-    EXPECT_NEAR(at_exit.value, 0.5, 1e-6);
+    EXPECT_NEAR(at_exit.value, 0.5, 1e-6);                      // the gap
     EXPECT_NEAR(at_exit.arrivals[surface.vertex(8)], 1., 5e-3); // an offset x costs only O(x^2)
   }
 }
@@ -596,8 +599,10 @@ TEST(Multilevel_transport_solver, spreading_weight_spreads_arrivals)
         solver.solve_to_region(at(surface.at(40), 3.), with_tolerance(1e-7));
     // Moving a mass of 3 by at most 2 * scale costs at most 6 * scale.
     EXPECT_NEAR(found.value, weight * 9. / area, 6. * scale);
-    EXPECT_NEAR(found.arrivals[surface.vertex(30)], 3. / 64., 1e-5);
-    EXPECT_NEAR(found.arrivals[surface.vertex(4)], 3. / 128., 1e-5);
+    // The error that the gap of 1e-7 allows.
+    const double error = 1e-5;
+    EXPECT_NEAR(found.arrivals[surface.vertex(30)], 3. / 64., error);
+    EXPECT_NEAR(found.arrivals[surface.vertex(4)], 3. / 128., error);
   }
 }
 

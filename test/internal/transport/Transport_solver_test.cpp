@@ -150,7 +150,8 @@ TEST(Transport_solver, bounds_are_certified)
     {
       const Transport_result transport = solver.solve(masses, with_tolerance(tolerance));
       EXPECT_TRUE(transport.is_converged);
-      EXPECT_LE(transport.upper - transport.lower, tolerance * transport.upper);
+      EXPECT_LE(transport.upper - transport.lower,
+                tolerance * transport.upper); // the requested gap
       EXPECT_LE(transport.number_of_iterations, 30u);
       expect_certified(solver.operators(), masses, transport);
     }
@@ -208,6 +209,7 @@ TEST(Transport_solver, error_is_below_one_percent_on_sphere)
     for(const Index to : {1u, 100u, 1000u, 1500u, 2000u})
     {
       const double exact = exact_distance(surface, from, to);
+      // Discretization error; see the name of the test.
       EXPECT_GT(value(from, to), 0.99 * exact);
       EXPECT_LT(value(from, to), exact * (1. + 0.5e-3)); // half the gap
     }

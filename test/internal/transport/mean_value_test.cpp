@@ -203,6 +203,7 @@ TEST(mean_value, is_continuous)
       const Vector found = coordinates(surface_point);
       for(const double step : {1e-3, 1e-5, 1e-7, 1e-9, 10. * round_off, round_off, 1e-13})
         for(const double side : {-step, step})
+          // The derivatives, and round-off errors, which nearby faces amplify.
           EXPECT_LT((coordinates(surface_point + side * offset) - found).lpNorm<Eigen::Infinity>(),
                     200. * step + 1e-9);
     }

@@ -157,7 +157,7 @@ TEST(Spectral_transport, decreases_with_basis_size)
         ASSERT_EQ(bounds.size(), before.size());
         for(std::size_t j = 0; j < bounds.size(); ++j)
         {
-          EXPECT_LE(bounds[j].upper - bounds[j].lower, 1e-3 * bounds[j].upper);
+          EXPECT_LE(bounds[j].upper - bounds[j].lower, 1e-3 * bounds[j].upper); // the requested gap
           EXPECT_LE(bounds[j].lower, before[j].upper * (1. + round_off));
         }
         before = bounds;
@@ -277,6 +277,7 @@ TEST(Spectral_transport, one_to_all_error_is_below_one_percent)
         EXPECT_GE(all[pairs[j][1]], bounds[j].lower * (1. - float_round_off));
         sum += all[pairs[j][1]] / bounds[j].lower - 1.;
       }
+      // Measured are at most 0.4 %.
       EXPECT_LT(sum / double(pairs.size()), 0.01);
     }
 }
@@ -400,16 +401,16 @@ TEST(Spectral_transport, level_sets_are_convex_on_square)
     const auto at = [&](int i, int j) { return d[surface.vertex(Index(i + (n + 1) * j))]; };
     const auto expect_valley = [&](int i, int j, int di, int dj)
     {
+      // All cells have the same diagonal. This rotates level sets by a fraction of a cell.
+      const double tolerance = 0.02 / n;
       double highest = 0.;
       bool is_rising = false;
       double before = at(i, j);
       for(; i >= 0 && j >= 0 && i <= n && j <= n; i += di, j += dj)
       {
-        // All cells have the same diagonal. This rotates level sets slightly: the tolerance is a
-        // fraction of a cell.
-        is_rising = is_rising || at(i, j) > before + 0.02 / n;
+        is_rising = is_rising || at(i, j) > before + tolerance;
         highest = is_rising ? std::max(highest, at(i, j)) : 0.;
-        EXPECT_GE(at(i, j), highest - 0.02 / n) << i << ' ' << j;
+        EXPECT_GE(at(i, j), highest - tolerance) << i << ' ' << j;
         before = at(i, j);
       }
     };

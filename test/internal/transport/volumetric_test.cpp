@@ -53,6 +53,7 @@ TEST(volumetric, one_to_many_bounds_contain_single_distances)
     std::size_t solved = 0;
     for(std::size_t i = 0; i < to.size(); ++i)
     {
+      // The requested gap.
       EXPECT_LE(found[i].upper - found[i].lower, options.tolerance * found[i].upper);
       EXPECT_GE(found[i].lower, norm(to[i] - from));
       solved += found[i].is_solved;
@@ -95,6 +96,7 @@ TEST(volumetric, one_to_many_handles_empty_equal_and_cancelled)
   EXPECT_TRUE(distances.one_to_many(from, {}, options).empty());
   const auto equal = distances.one_to_many(from, std::vector<Vec3>(20, other), options);
   for(const Volumetric_bounds& bounds : equal)
+    // The gap of each of them.
     EXPECT_NEAR(bounds.upper, equal[0].upper, options.tolerance * equal[0].upper);
   EXPECT_EQ(std::count_if(equal.begin(), equal.end(),
                           [](const Volumetric_bounds& bounds) { return bounds.is_solved; }),
