@@ -19,7 +19,8 @@ namespace {
 
 using Word = std::uint64_t;
 
-// Cells of the grid along each axis.  More are used for many charts, but no more than texels.
+// Cells of the grid along each axis.  More are used for many charts, but no more than texels.  The
+// time increases with the cube of their number.
 constexpr std::size_t default_grid_size = 512;
 constexpr std::size_t cells_per_chart = 8; // along each axis, on average
 
@@ -197,7 +198,8 @@ class Grid
 public:
   explicit Grid(std::size_t cells)
       : m_cells(cells), m_words((cells + 63) / 64), m_occupied(m_cells * m_words, 0),
-        m_longest_free(cells, std::uint32_t(cells)), m_blocked(m_words), m_row(m_words)
+        m_longest_free(cells, std::uint32_t(cells)), m_first_free(cells, 0), m_blocked(m_words),
+        m_row(m_words)
   {
     if(cells % 64 != 0) // bits beyond the last column
       for(std::size_t row = 0; row < cells; ++row)
@@ -223,7 +225,12 @@ public:
       for(std::size_t c = position[0] + run.begin, end = c + run.length; c < end; ++c)
         m_occupied[(position[1] + run.row) * m_words + c / 64] |= Word(1) << (c % 64);
     for(std::size_t row = position[1]; row < position[1] + raster.height; ++row)
+    {
       m_longest_free[row] = longest_free_run(row);
+      std::size_t& word = m_first_free[row];
+      while(word < m_words && m_occupied[row * m_words + word] == ~Word(0))
+        ++word;
+    }
   }
 
 private:
@@ -264,7 +271,7 @@ private:
   void merge_shifted(std::vector<Word>& to, const std::vector<Word>& from, std::size_t shift) const
   {
     const std::size_t words = shift / 64, bits = shift % 64;
-    for(std::size_t i = 0; i < m_words; ++i)
+    for(std::size_t i = m_begin; i < m_words; ++i)
     {
       const std::size_t k = i + words;
       const Word low = k < m_words ? from[k] : ~Word(0),
@@ -280,21 +287,30 @@ private:
     for(std::size_t i = 0; i < raster.height; ++i)
       if(m_longest_free[row + i] < raster.longest_run[i])
         return std::nullopt;
+    // The words of smaller columns, in which a row has no free cell, are skipped.
+    m_begin = 0;
+    for(const auto& run : raster.runs)
+      if(const std::size_t column = 64 * m_first_free[row + run.row]; column > run.begin)
+        m_begin = std::max(m_begin, (column - run.begin) / 64);
+    if(m_begin >= m_words)
+      return std::nullopt;
     std::fill(m_blocked.begin(), m_blocked.end(), Word(0));
     for(const auto& run : raster.runs)
     {
       const auto begin = m_occupied.begin() + std::ptrdiff_t((row + run.row) * m_words);
-      std::copy(begin, begin + std::ptrdiff_t(m_words), m_row.begin());
+      std::copy(begin + std::ptrdiff_t(m_begin), begin + std::ptrdiff_t(m_words),
+                m_row.begin() + std::ptrdiff_t(m_begin));
       std::size_t dilated_width = 1;
       for(; 2 * dilated_width <= run.length; dilated_width *= 2)
         dilate(dilated_width);
       if(dilated_width < run.length)
         dilate(run.length - dilated_width);
       merge_shifted(m_blocked, m_row, run.begin);
-      if(std::all_of(m_blocked.begin(), m_blocked.end(), [](Word w) { return w == ~Word(0); }))
+      if(std::all_of(m_blocked.begin() + std::ptrdiff_t(m_begin), m_blocked.end(),
+                     [](Word w) { return w == ~Word(0); }))
         return std::nullopt;
     }
-    for(std::size_t c = 0; c + raster.width <= m_cells; ++c)
+    for(std::size_t c = 64 * m_begin; c + raster.width <= m_cells; ++c)
       if(!(m_blocked[c / 64] >> (c % 64) & 1))
         return c;
     return std::nullopt;
@@ -303,7 +319,9 @@ private:
   std::size_t m_cells, m_words;
   std::vector<Word> m_occupied;              // m_words words per row
   std::vector<std::uint32_t> m_longest_free; // longest free run of each row
-  std::vector<Word> m_blocked, m_row;        // buffers of find_column()
+  std::vector<std::size_t> m_first_free;     // first word of each row with a free cell
+  std::vector<Word> m_blocked, m_row;        // buffers of find_column(), from word m_begin on
+  std::size_t m_begin = 0;
 };
 
 class Packer
@@ -313,11 +331,8 @@ public:
       : m_outlines(outlines), m_texels(texels), m_margin(double(gutter) / 2.),
         m_order(outlines.size()), m_size(outlines.size())
   {
-    m_cells = default_grid_size;
-    while(m_cells * m_cells <
-          cells_per_chart * cells_per_chart * std::max<std::size_t>(outlines.size(), 1))
-      m_cells *= 2;
-    m_cells = std::min(m_cells, texels);
+    const auto cells = std::size_t(double(cells_per_chart) * std::sqrt(double(outlines.size())));
+    m_cells = std::min(std::max(default_grid_size, (cells + 63) / 64 * 64), texels);
     for(std::size_t i = 0; i < outlines.size(); ++i)
     {
       m_directions.push_back(min_rectangle_direction(outlines[i]));
