@@ -12,6 +12,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -130,6 +131,43 @@ TEST(Callback, cancels_distances)
       [&](const auto& np) {
         GP::geodesic_barycenter(mesh, std::vector<Vertex>{Vertex(3), Vertex(7)}, np);
       });
+}
+
+// Vertices whose distances are not final must not be reached after any kind of interruption.
+TEST(Callback, interruption_leaves_final_distances)
+{
+  const Mesh mesh = mesh_of(jittered(icosphere(5), 0.005)); // 10,242 vertices
+  const auto is_final = [&](auto method)
+  {
+    GP::Geodesic_distance_solver<Mesh, decltype(method)> complete(mesh), interrupted(mesh);
+    complete.compute(Vertex(3));
+    for(const bool throws : {false, true})
+    {
+      int number_of_calls = 0;
+      const auto interrupt = [&](double)
+      {
+        if(++number_of_calls < 3)
+          return true;
+        if(throws)
+          throw std::logic_error("interrupted");
+        return false;
+      };
+      const auto compute = [&]
+      { interrupted.compute(Vertex(3), GP::parameters::callback(interrupt)); };
+      if(throws)
+        EXPECT_THROW(compute(), std::logic_error);
+      else
+        EXPECT_THROW(compute(), GP::Cancelled);
+      EXPECT_GT(interrupted.reached().size(), 100u);
+      EXPECT_LT(interrupted.reached().size(), mesh.number_of_vertices());
+      for(const Vertex v : interrupted.reached())
+        EXPECT_EQ(interrupted.distance(v), complete.distance(v));
+    }
+  };
+  is_final(GP::Exact());
+  is_final(GP::Euclidean_front());
+  is_final(GP::Fast_marching());
+  is_final(GP::Dijkstra());
 }
 
 TEST(Callback, cancels_matrices)

@@ -47,20 +47,50 @@ bool Window_propagation::run(const std::vector<Front_source>& sources, const Fro
   m_sources = limits.slowness ? outside_obstacles(sources) : sources;
   propagator.start(m_sources);
 
+  const auto remove_far_vertices = [&]
+  {
+    limit_to_targets(targets);
+    const auto is_too_far = [&](Index vertex)
+    {
+      if(m_state.vertices[vertex].distance <= m_state.max_distance)
+        return false;
+      m_state.vertices[vertex] = Window_state::Vertex{};
+      if(!m_state.is_exact())
+        m_state.upper[vertex] = infinity;
+      return true;
+    };
+    m_state.reached.erase(
+        std::remove_if(m_state.reached.begin(), m_state.reached.end(), is_too_far),
+        m_state.reached.end());
+  };
+  // The distances of the waiting windows are at least the first key minus the length of an edge.
+  const auto interrupt = [&]
+  {
+    m_state.max_distance =
+        std::min(m_state.max_distance, m_state.queue.front().key - m_state.max_edge_length);
+    remove_far_vertices();
+  };
+  const auto should_continue = [&]
+  {
+    try
+    {
+      return limits.callback(
+          std::min(1., double(m_state.reached.size()) / double(m_state.vertices.size())));
+    }
+    catch(...)
+    {
+      interrupt();
+      throw;
+    }
+  };
+
   std::size_t next_target_check = 0; // a number of visits
-  bool is_finished = true;
   for(std::size_t number_of_visits = 0; !m_state.queue.empty(); ++number_of_visits)
   {
-    if(limits.callback && number_of_visits % 4096 == 0 &&
-       !limits.callback(
-           std::min(1., double(m_state.reached.size()) / double(m_state.vertices.size()))))
+    if(limits.callback && number_of_visits % 4096 == 0 && !should_continue())
     {
-      // The distances of the waiting windows are at least the first key minus the length of an
-      // edge.
-      m_state.max_distance =
-          std::min(m_state.max_distance, m_state.queue.front().key - m_state.max_edge_length);
-      is_finished = false;
-      break;
+      interrupt();
+      return false;
     }
     if(propagator.step() && !targets.empty() && number_of_visits >= next_target_check)
     {
@@ -68,19 +98,8 @@ bool Window_propagation::run(const std::vector<Front_source>& sources, const Fro
       next_target_check = number_of_visits + std::max<std::size_t>(64, targets.size());
     }
   }
-  limit_to_targets(targets);
-  const auto is_too_far = [&](Index vertex)
-  {
-    if(m_state.vertices[vertex].distance <= m_state.max_distance)
-      return false;
-    m_state.vertices[vertex] = Window_state::Vertex{};
-    if(!m_state.is_exact())
-      m_state.upper[vertex] = infinity;
-    return true;
-  };
-  m_state.reached.erase(std::remove_if(m_state.reached.begin(), m_state.reached.end(), is_too_far),
-                        m_state.reached.end());
-  return is_finished;
+  remove_far_vertices();
+  return true;
 }
 
 // Removes the obstacles from the surface of the state, if they differ from those of the last query.

@@ -155,12 +155,25 @@ Front::Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind,
 
 bool Front::run(const std::vector<Front_source>& sources, const Front_limits& limits)
 {
+  const auto finish = [this]
+  {
+    const std::vector<Index> often_corrected = collect_final_vertices();
+    if(m_state.has_directions() && !m_state.surface->is_cloud())
+      bound_by_edges(m_state, often_corrected);
+  };
   begin_query(limits);
   initialize(m_state, sources);
-  const bool is_finished = propagate(limits);
-  const std::vector<Index> often_corrected = collect_final_vertices();
-  if(m_state.has_directions() && !m_state.surface->is_cloud())
-    bound_by_edges(m_state, often_corrected);
+  bool is_finished = false;
+  try
+  {
+    is_finished = propagate(limits);
+  }
+  catch(...) // by the callback
+  {
+    finish();
+    throw;
+  }
+  finish();
   return is_finished;
 }
 

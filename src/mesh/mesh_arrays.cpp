@@ -17,12 +17,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-double distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
-{
-  const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
-  return std::sqrt(x * x + y * y + z * z);
-}
-
 // Returns the triangles sorted by their smallest vertex, ties by index (counting sort).
 std::vector<Index> triangle_order(const std::vector<Index>& corner, std::size_t number_of_vertices)
 {
@@ -114,9 +108,16 @@ void add_triangles(Mesh_arrays& result, const std::vector<Index>& corners,
     }
 }
 
-// Computes the lengths of the halfedges.  Returns the maximum.
-double compute_lengths(Surface_arrays& t)
+// Computes the scaled lengths of the halfedges.  Returns the maximum.  The points are not scaled:
+// differences of the caller's coordinates have smaller errors.
+double compute_lengths(Surface_arrays& t, const Frame& frame)
 {
+  const auto distance =
+      [scaled = Scaling(frame)](const std::array<double, 3>& p, const std::array<double, 3>& q)
+  {
+    const double x = scaled(p[0] - q[0]), y = scaled(p[1] - q[1]), z = scaled(p[2] - q[2]);
+    return std::sqrt(x * x + y * y + z * z);
+  };
   t.length.resize(t.corner.size());
   double longest = 0.;
   for(Index h = 0; h < t.corner.size(); ++h)
@@ -133,9 +134,10 @@ double compute_lengths(Surface_arrays& t)
 // would be wrong.
 bool are_most_too_short(const std::vector<double>& length)
 {
-  const auto positive = std::count_if(length.begin(), length.end(), [](double l) { return l > 0.; });
-  const auto large = std::count_if(length.begin(), length.end(),
-                                   [](double l) { return l >= min_edge_length; });
+  const auto positive =
+      std::count_if(length.begin(), length.end(), [](double l) { return l > 0.; });
+  const auto large =
+      std::count_if(length.begin(), length.end(), [](double l) { return l >= min_edge_length; });
   return 2 * large < positive;
 }
 
@@ -148,9 +150,12 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
   Surface_arrays& t = result.arrays;
   const std::size_t n = points.size();
 
-  const Frame frame = unit_frame(points);
-  to_frame(points, frame);
-  result.caller_vertex = morton_order(points);
+  const Frame frame = unit_frame(points, corners);
+  {
+    auto scaled_points = points;
+    to_frame(scaled_points, frame);
+    result.caller_vertex = morton_order(scaled_points);
+  }
   result.internal_vertex.resize(n);
   t.point.resize(n);
   for(Index s = 0; s < n; ++s)
@@ -161,11 +166,13 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
   points = {};
 
   add_triangles(result, corners, twins);
-  const double longest = compute_lengths(t);
+  const double longest = compute_lengths(t, frame);
+  to_frame(t.point, frame);
   result.number_of_degenerate_triangles = count_degenerate_triangles(t.length);
   if(are_most_too_short(t.length))
-    throw Unsupported_surface_error("Most edges are more than 10^10 times shorter than the extent of "
-                                    "the mesh. Perhaps a vertex is far from the others.");
+    throw Unsupported_surface_error(
+        "Most edges are more than 5*10^10 times shorter than the extent of "
+        "the mesh. Perhaps a vertex is far from the others.");
   // The maximum of each length and a constant preserves the triangle inequality.
   if(longest > 0.)
     for(double& length : t.length)

@@ -10,47 +10,69 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-Frame unit_frame(const std::vector<std::array<double, 3>>& points)
+namespace {
+
+struct Bounding_box
+{
+  std::array<double, 3> low = {infinity, infinity, infinity},
+                        high = {-infinity, -infinity, -infinity};
+
+  void add(const std::array<double, 3>& point)
+  {
+    for(int k = 0; k < 3; ++k)
+    {
+      low[k] = std::min(low[k], point[k]);
+      high[k] = std::max(high[k], point[k]);
+    }
+  }
+  double half_extent() const
+  {
+    double result = 0.;
+    for(int k = 0; k < 3; ++k)
+      result = std::max(result, high[k] / 2. - low[k] / 2.);
+    return result;
+  }
+};
+
+} // namespace
+
+Frame unit_frame(const std::vector<std::array<double, 3>>& points, const std::vector<Index>& used)
 {
   if(points.empty())
     return {};
-  std::array<double, 3> low = points.front(), high = points.front();
+  Bounding_box box;
   for(std::size_t i = 0; i < points.size(); ++i)
-    for(int k = 0; k < 3; ++k)
-    {
-      const double x = points[i][k];
+  {
+    for(const double x : points[i])
       if(!std::isfinite(x))
         throw Invalid_argument_error("The coordinates of point " + std::to_string(i) +
                                      " are not finite.");
-      low[k] = std::min(low[k], x);
-      high[k] = std::max(high[k], x);
-    }
-  Frame frame;
-  double half_extent = 0.;
-  for(int k = 0; k < 3; ++k)
-  {
-    frame.origin[k] = low[k] / 2. + high[k] / 2.;
-    half_extent = std::max(half_extent, high[k] / 2. - low[k] / 2.);
+    box.add(points[i]);
   }
-  if(half_extent > 0.25 * std::numeric_limits<double>::max())
+  if(box.half_extent() > 0.25 * std::numeric_limits<double>::max())
     throw Invalid_argument_error("The points are too far apart: their distances overflow.");
+  if(!used.empty())
+  {
+    box = {};
+    for(const Index i : used)
+      box.add(points[i]);
+  }
+  Frame frame;
+  for(int k = 0; k < 3; ++k)
+    frame.origin[k] = box.low[k] / 2. + box.high[k] / 2.;
   // For smaller extents, no power of two scales the coordinates to normal numbers.
-  if(half_extent > std::numeric_limits<double>::min())
-    frame.scale = std::ldexp(1., std::ilogb(half_extent));
+  if(box.half_extent() > std::numeric_limits<double>::min())
+    frame.scale = std::ldexp(1., std::ilogb(box.half_extent()));
   return frame;
 }
 
 void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame)
 {
-  const int exponent = -std::ilogb(frame.scale);
-  const double factor = std::ldexp(1., exponent);
-  const bool is_normal = std::isnormal(factor);
+  constexpr double max_coordinate = 1e150; // squares do not overflow
+  const Scaling scaled(frame);
   for(auto& point : points)
     for(int k = 0; k < 3; ++k)
-    {
-      const double x = point[k] - frame.origin[k];
-      point[k] = is_normal ? x * factor : std::ldexp(x, exponent);
-    }
+      point[k] = std::clamp(scaled(point[k] - frame.origin[k]), -max_coordinate, max_coordinate);
 }
 
 namespace {

@@ -148,7 +148,7 @@ public:
   ///         speeds, if the relative tolerance is positive and the method is not exact, or if
   ///         `Exact` exceeds its limit of windows
   /// \throws Cancelled if the callback returns false.  Then only vertices or surfels whose
-  ///         distances were final are reached.
+  ///         distances were final are reached, also if the callback throws an exception.
   ///
   /// After an `Invalid_argument_error` or an `Unsupported_surface_error` the results of the last
   /// computation remain, unless the limit of windows was exceeded. Then nothing is reached.
@@ -258,7 +258,8 @@ public:
     return result;
   }
   /// Returns the path from a vertex, surfel or location to its nearest source; empty if no source
-  /// reaches it.  With `Exact`, the default on meshes, its length equals the distance.  With a
+  /// reaches it.  With `Exact`, the default on meshes, its length equals the distance, up to the
+  /// errors of thin triangles (see `Exact`).  With a
   /// relative tolerance or another method, it is a locally shortest path.  With different speeds, it
   /// is a fast path instead; see `geodesic_path()`.  Takes time proportional to the number of
   /// visited faces; with different speeds, O(m log m) time for m faces near the path.
@@ -291,7 +292,8 @@ public:
                                   distance);
   }
 
-  /// Returns all shortest paths from a vertex or location to the sources, but at most 64 paths.
+  /// Returns all shortest paths from a vertex or location to the sources, but at most 64 paths, and
+  /// none if no source reaches it.
   /// On the cut locus, there are two or more.  The method must be `Exact` or `Automatic`.  Takes
   /// time proportional to the number of visited faces.
   ///

@@ -35,7 +35,8 @@ namespace CGAL::Geodesic_processing {
 /// a vertex, as if the fans of triangles at this vertex were connected by a link of length zero.
 /// Across the interior of a split edge they do not continue. A distance can therefore be too large,
 /// by at most the length of the split edge for each split edge that the shortest path crosses. The
-/// error disappears if these edges are subdivided.
+/// error disappears if these edges are subdivided. Lower bounds of distances are those on the split
+/// surface.
 ///
 /// At a vertex with several fans, the boundary halfedges of all fans form one cycle of the mesh, so
 /// that circulators visit all fans that have a boundary.

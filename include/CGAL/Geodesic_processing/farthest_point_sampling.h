@@ -106,7 +106,8 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{first_samples}
 ///     \cgalParamDescription{a vertex, a surfel, a location, or a range of these: existing samples.
-///       They are neither counted nor written to `samples`. In the labels they are numbered first.}
+///       They are neither counted nor written to `samples`. In the labels they are numbered first.
+///       If they are the samples of an earlier call, the call continues as if it were the same.}
 ///     \cgalParamType{a vertex, a surfel, a location, or a range of these}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

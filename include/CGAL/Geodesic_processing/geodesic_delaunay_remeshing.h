@@ -26,8 +26,10 @@ namespace CGAL::Geodesic_processing {
 /// The action if the requested number of samples is too small for a valid result.
 enum class Too_few_samples
 {
-  refine,   ///< add samples in the regions that need them
-  are_wrong ///< throw `Invalid_argument_error`, whose message states the required number
+  refine, ///< add samples in the regions that need them
+  /// throw `Invalid_argument_error`. Its message states how many samples `refine` uses. If that
+  /// number is requested, the samples are others, which can be too few again
+  are_wrong
 };
 
 /// \ingroup PkgGeodesicProcessingRemeshing
@@ -72,7 +74,8 @@ struct Remeshing_result
 /// \tparam OutputMesh a model of `MutableFaceGraph`
 /// \param surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
 ///        `SurfelRange`, or the domain of one
-/// \param number the number of vertices; 0 requests the minimum that the topology requires
+/// \param number the number of vertices; 0 requests one vertex, to which those are added
+///        that the topology requires. This need not be the minimum
 /// \param output a model of `MutableFaceGraph`, to which the vertices and faces are added
 /// \param np parameters of `make_domain()`, and
 ///
@@ -216,7 +219,8 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
      internal::parameter(np, internal_np::too_few_samples, Too_few_samples::refine) !=
          Too_few_samples::refine)
     throw Invalid_argument_error(std::to_string(number) +
-                                 " samples are too few: a mesh that meets all requirements has " +
+                                 " samples are too few: additional ones in the regions that "
+                                 "need them make " +
                                  std::to_string(found.samples.size()) + " samples.");
 
   using Graph = boost::graph_traits<OutputMesh>;

@@ -51,7 +51,7 @@ struct Tangent_frame
   using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
   using Vector_3 = typename internal::Surface_traits<Surface>::Vector_3;
 
-  Point_3 origin = ORIGIN;  ///< the base point
+  Point_3 origin = ORIGIN;  ///< the base point; on a cloud, its projection to the local triangles
   Vector_3 u = NULL_VECTOR; ///< the unit vector along the first axis of the map
   Vector_3 v = NULL_VECTOR; ///< the unit vector along the second axis
 

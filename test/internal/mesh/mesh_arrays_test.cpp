@@ -199,12 +199,47 @@ TEST(Mesh_arrays, throws_on_nonfinite_coordinates)
   EXPECT_THROW(arrays_of(surface), Invalid_argument_error);
 }
 
+TEST(Mesh_arrays, far_isolated_vertices_do_not_change_lengths)
+{
+  Triangulation surface = square(5, 0.24);
+  surface.points.push_back({0.5, 0.5, 0.});
+  const Mesh_arrays near = arrays_of(surface);
+  for(const double distance : {1e9, 1e100, 1e300})
+  {
+    surface.points.back()[2] = distance;
+    const Mesh_arrays far = arrays_of(surface);
+    EXPECT_EQ(far.arrays.scale, near.arrays.scale);
+    std::vector<double> lengths = near.arrays.length, far_lengths = far.arrays.length;
+    std::sort(lengths.begin(), lengths.end());
+    std::sort(far_lengths.begin(), far_lengths.end());
+    EXPECT_EQ(lengths, far_lengths);
+  }
+}
+
+// The coordinates are multiples of 1/4, so that their differences are exact at any distance from the
+// origin.
+TEST(Mesh_arrays, lengths_are_those_of_the_coordinates)
+{
+  Triangulation surface = square(4);
+  surface.points.push_back({-0x1p30, 0., 0.});
+  surface.corners.insert(surface.corners.end(), {0, 5, 25});
+  const Mesh_arrays mesh = arrays_of(surface);
+  for(std::size_t c = 0; c < 3 * 32; ++c)
+  {
+    const Index f = Index(c / 3), h = 3 * mesh.triangle_of_face[f] + Index(c % 3);
+    const Point &p = surface.points[surface.corners[c]],
+                &q = surface.points[surface.corners[c - c % 3 + (c + 1) % 3]];
+    EXPECT_DOUBLE_EQ(mesh.arrays.scale * mesh.arrays.length[h],
+                     std::hypot(p[0] - q[0], p[1] - q[1]));
+  }
+}
+
 TEST(Mesh_arrays, throws_if_most_edges_are_too_short)
 {
   Triangulation surface = square(5);
-  surface.points.push_back({0., 0., 1e10}); // isolated
+  surface.points[5][0] = 1e9; // the other edges have a length of 1/5
   EXPECT_NO_THROW(arrays_of(surface));
-  surface.points.back()[2] = 1e11; // edges of length 1/5
+  surface.points[5][0] = 1e11;
   EXPECT_THROW(arrays_of(surface), Unsupported_surface_error);
   // A few short edges are accepted.
   surface = square(5);

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -21,11 +22,34 @@ struct Frame
 
 // Computes the frame in which the bounding box is centered at the origin and half of its longest
 // edge is in [1, 2).  In it, squares of coordinates neither overflow nor underflow.  Throws
-// Invalid_argument_error if a coordinate is not finite or if the extent overflows.
+// Invalid_argument_error if a coordinate is not finite or if the extent of all points overflows.
+//
+// used  indices of the points in the bounding box; if empty, all points are
 CGAL_GEODESIC_PROCESSING_EXPORT
-Frame unit_frame(const std::vector<std::array<double, 3>>& points);
+Frame unit_frame(const std::vector<std::array<double, 3>>& points,
+                 const std::vector<Index>& used = {});
 
-// Transforms points from the coordinates of the caller to scaled coordinates.
+// Divides lengths of the caller by the scale of a frame, which is exact unless they underflow.
+class Scaling
+{
+public:
+  explicit Scaling(const Frame& frame)
+      : m_exponent(-std::ilogb(frame.scale)), m_factor(std::ldexp(1., m_exponent))
+  {}
+
+  double operator()(double length) const
+  {
+    // The reciprocal of the scale may be subnormal.
+    return std::isnormal(m_factor) ? length * m_factor : std::ldexp(length, m_exponent);
+  }
+
+private:
+  int m_exponent;
+  double m_factor;
+};
+
+// Transforms points from the coordinates of the caller to scaled coordinates, whose absolute values
+// are at most 1e150.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame);
 
