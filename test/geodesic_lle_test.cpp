@@ -347,9 +347,9 @@ TEST(geodesic_lle, unflips_few_inverted_faces)
   add_models(patches, {"patches/mushroom_2k.off", "patches/three_peaks_2k.off"});
   for(auto& [name, mesh] : patches)
   {
-    // With other numbers of base points, the linear map of the three peaks folds a tenth of the
-    // faces.
-    const std::size_t number = name == "patches/three_peaks_2k.off" ? 250 : 200;
+    // With other numbers of base points, the linear maps of these models fold more faces than are
+    // re-optimized.
+    const std::size_t number = name == "mushroom" ? 220 : 270;
     auto uv = vertex_map<UV>(mesh);
     GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(number));
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << name;
