@@ -14,7 +14,7 @@ namespace {
 
 // A solution of a linear system is accepted if the sum of its residuals is at most this fraction of
 // the moved mass. Without needles, the residual after one back substitution is about 1e-13.
-constexpr double max_residual = 1e-9;
+constexpr double max_residual = 1e-7;
 // Conjugate gradients end after this number of steps that do not halve the residual. There, round-off
 // errors of the potential limit the residual.
 constexpr unsigned max_slow_steps = 6;
