@@ -19,17 +19,26 @@ constexpr double snap_tolerance = 0.01, roundoff_tolerance = 1e-12;
 
 } // namespace
 
+std::size_t dominant_coordinate(const std::array<std::array<double, 3>, 3>& corner)
+{
+  std::array<double, 3> smallest;
+  for(std::size_t k = 0; k < 3; ++k)
+    smallest[k] = std::min({corner[0][k], corner[1][k], corner[2][k]});
+  return std::size_t(std::max_element(smallest.begin(), smallest.end()) - smallest.begin());
+}
+
 std::array<double, 3> subtriangle_coordinates(const std::array<std::array<double, 3>, 3>& corner,
                                               const std::array<double, 3>& p)
 {
   using Barycentric = std::array<double, 3>;
+  const std::size_t k = dominant_coordinate(corner), i = (k + 1) % 3, j = (k + 2) % 3;
   // Exactly zero if the points are on one edge of the coarse triangle.  For two of the edges a
   // factor of both products is zero; for the third this must be tested.
-  const auto twice_area = [](const Barycentric& a, const Barycentric& b, const Barycentric& c)
+  const auto twice_area = [=](const Barycentric& a, const Barycentric& b, const Barycentric& c)
   {
-    return a[0] == 0. && b[0] == 0. && c[0] == 0.
+    return a[k] == 0. && b[k] == 0. && c[k] == 0.
                ? 0.
-               : (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+               : (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
   };
   const double total_area = twice_area(corner[0], corner[1], corner[2]);
   if(!(total_area > 0.))

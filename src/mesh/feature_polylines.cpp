@@ -25,6 +25,10 @@ struct Directed_edge
   bool is_reversed = false;
 };
 
+// Consecutive samples of a polyline coincide if they are closer than the first fraction of a step. One
+// of them is then moved along the polyline by the second fraction.
+constexpr double coincidence_ratio = 1e-3, separation_ratio = 0.25;
+
 class Feature_polylines
 {
 public:
@@ -119,19 +123,37 @@ private:
     const std::size_t number_of_pieces = corners.size() - 1;
     const double min_steps =
         is_closed && number_of_pieces < 3 ? std::ceil(3. / double(number_of_pieces)) : 1.;
-    std::size_t i = 0;
+    m_samples.clear();
     for(auto from = corners.begin(), to = std::next(from); to != corners.end(); ++from, ++to)
     {
       const double number_of_steps = std::max(min_steps, std::round(*to - *from));
-      const bool is_last = std::next(to) == corners.end();
-      for(double k = 1.; k <= number_of_steps - (is_last ? 1. : 0.); ++k)
-      {
-        const double position =
-            k == number_of_steps ? *to : *from + k / number_of_steps * (*to - *from);
-        while(i + 1 < m_chain.size() && m_arc_length[i + 1] <= position)
-          ++i;
-        m_result.push_back(location_on_chain(i, position));
-      }
+      const double step = (*to - *from) / number_of_steps;
+      for(double k = 0.; k < number_of_steps; ++k)
+        m_samples.push_back({*from + k / number_of_steps * (*to - *from), k > 0. ? step : 0.});
+    }
+    m_samples.push_back({*corners.rbegin(), 0.});
+    separate_samples();
+    for(std::size_t i = 1; i + 1 < m_samples.size(); ++i)
+      m_result.push_back(location_on_chain(m_samples[i].position));
+  }
+
+  // Moves samples that coincide with the previous one by a fraction of a step. They do so if the
+  // chain runs along both sides of a crack of zero width, with an end of the crack between them. An
+  // edge between them would have the length zero.
+  void separate_samples()
+  {
+    for(std::size_t i = 1; i < m_samples.size(); ++i)
+    {
+      Sample &a = m_samples[i - 1], &b = m_samples[i];
+      const double max_distance = coincidence_ratio * std::max(a.step, b.step);
+      if(!(max_distance > 0.) ||
+         norm(point_on_chain(a.position) - point_on_chain(b.position)) >
+             max_distance * m_spacing[m_chain[edge_at(b.position)].halfedge])
+        continue;
+      if(b.step > 0.)
+        b.position += separation_ratio * b.step;
+      else
+        a.position -= separation_ratio * a.step;
     }
   }
 
@@ -180,9 +202,17 @@ private:
     return corners;
   }
 
-  // Returns the location at an arc length on edge i of the chain.
-  Surface_location location_on_chain(std::size_t i, double position) const
+  // Returns the edge of the chain at an arc length.
+  std::size_t edge_at(double position) const
   {
+    const auto above = std::upper_bound(m_arc_length.begin() + 1, m_arc_length.end() - 1, position);
+    return std::size_t(above - m_arc_length.begin()) - 1;
+  }
+
+  // Returns the location at an arc length.
+  Surface_location location_on_chain(double position) const
+  {
+    const std::size_t i = edge_at(position);
     const double fraction =
         std::clamp((position - m_arc_length[i]) / (m_arc_length[i + 1] - m_arc_length[i]), 0., 1.);
     const Directed_edge& edge = m_chain[i];
@@ -191,6 +221,17 @@ private:
         {edge.halfedge / 3, none,
          barycentric_on_halfedge(edge.halfedge, edge.is_reversed ? 1. - fraction : fraction)});
   }
+
+  Vec3 point_on_chain(double position) const
+  {
+    return scaled_coordinates(m_triangles, location_on_chain(position));
+  }
+
+  struct Sample
+  {
+    double position; // arc length
+    double step;     // distance to the samples before and after it; 0 if it must not move
+  };
 
   const Surface_arrays& m_triangles;
   const std::vector<double>& m_spacing; // #halfedges
@@ -205,6 +246,7 @@ private:
   // at the source of each edge; arc lengths in units of the spacing
   std::vector<double> m_turning_angle, m_arc_length;
   std::vector<std::size_t> m_sharp_corners;
+  std::vector<Sample> m_samples;
 };
 
 } // namespace

@@ -69,9 +69,19 @@ Barycentric interpolate(const Barycentric& b, const std::array<Barycentric, 3>& 
   return result;
 }
 
-bool is_inverted(const Barycentric& a, const Barycentric& b, const Barycentric& c)
+using Image = std::array<Barycentric, 3>; // of the corners of a triangle
+
+// Returns the corners of an image in affine coordinates that have small round-off errors.
+std::array<Vec2, 3> planar_image(const Image& image)
 {
-  return orientation({a[1], a[2]}, {b[1], b[2]}, {c[1], c[2]}) <= 0;
+  const std::size_t k = dominant_coordinate(image), i = (k + 1) % 3, j = (k + 2) % 3;
+  return {{{image[0][i], image[0][j]}, {image[1][i], image[1][j]}, {image[2][i], image[2][j]}}};
+}
+
+bool is_inverted(const Image& image)
+{
+  const auto [a, b, c] = planar_image(image);
+  return orientation(a, b, c) <= 0;
 }
 
 } // namespace
@@ -395,15 +405,21 @@ private:
       m_image[i] = {found(i, 0), found(i, 1), found(i, 2)};
   }
 
+  Image image_of(Index f) const
+  {
+    const Barycentric* const corner = &m_result.m_coordinates[3 * std::size_t(f)];
+    return {corner[0], corner[1], corner[2]};
+  }
+
   // Returns true if the image of a triangle is much flatter than the triangle.
   bool is_flat(Index f) const
   {
-    const Barycentric* const b = &m_result.m_coordinates[3 * std::size_t(f)];
+    const std::array<Vec2, 3> image = planar_image(image_of(f));
     double longest = 0., longest_image = 0.;
     std::array<Vec2, 3> edges;
     for(Index k = 0; k < 3; ++k)
     {
-      edges[k] = {b[(k + 1) % 3][1] - b[k][1], b[(k + 1) % 3][2] - b[k][2]};
+      edges[k] = image[(k + 1) % 3] - image[k];
       longest = std::max(longest, m_fine.length[3 * f + k]);
       longest_image = std::max(longest_image, norm(edges[k]));
     }
@@ -419,8 +435,7 @@ private:
     {
       for(Index c = 3 * f; c < 3 * f + 3; ++c)
         m_result.m_coordinates[c] = m_image[m_local_index[m_fine.corner[c]]];
-      const Barycentric* const b = &m_result.m_coordinates[3 * std::size_t(f)];
-      number_of_flips += is_inverted(b[0], b[1], b[2]) || (does_count_flat && is_flat(f));
+      number_of_flips += is_inverted(image_of(f)) || (does_count_flat && is_flat(f));
     }
     return number_of_flips;
   }
@@ -485,7 +500,8 @@ Surface_location Base_map::inverse(const Base_location& location) const
     const Barycentric b =
         subtriangle_coordinates({image[0], image[1], image[2]}, location.barycentric);
     const double smallest = std::min({b[0], b[1], b[2]});
-    if(!(smallest > best_min))
+    // In images whose area is nearly zero, coordinates can be infinite.
+    if(!(smallest > best_min) || std::max({b[0], b[1], b[2]}) == infinity)
       continue;
     best_min = smallest;
     result.triangle = base.parent[f];

@@ -12,6 +12,13 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// A solution of a linear system is accepted if the sum of its residuals is at most this fraction of
+// the moved mass. Without needles, the residual after one back substitution is about 1e-13.
+constexpr double max_residual = 1e-7;
+// Conjugate gradients end after this number of steps that do not halve the residual. There, round-off
+// errors of the potential limit the residual.
+constexpr unsigned max_slow_steps = 6;
+
 // A vector of the space of the second-order cone scalar >= |vector|.
 struct Cone_vector
 {
@@ -333,6 +340,55 @@ private:
     return sum / m_total_weight;
   }
 
+  // Returns the product of the matrix of the current scalings with a potential, and the gradient of
+  // the potential. The entries of the assembled matrix have round-off errors that are relative to
+  // the largest ones, whereas this product has small errors at each vertex.
+  Vector multiply(const Vector& potential, Field& slope) const
+  {
+    gradient(m_operators, potential, slope);
+    Field image(slope.size());
+    for(std::size_t f = 0; f < slope.size(); ++f)
+      image[f] = m_scaling[f].apply_inverse_squared(slope[f]).vector;
+    Vector result = minus_divergence(m_operators, image);
+    for(const Exit_slack& slack : m_slacks)
+      result[slack.vertex] += slack.compliance() * potential[slack.vertex];
+    return result;
+  }
+
+  // Computes the potential step and its gradient. If there are needles, the factorization is
+  // inaccurate, and conjugate gradients reduce the residual. The factorization is the preconditioner.
+  void solve(const Vector& rhs)
+  {
+    Vector potential = m_solver.solve(rhs), direction = Vector::Zero(rhs.size());
+    Field slope;
+    double previous_product = infinity, best = infinity, target = infinity;
+    unsigned number_of_slow_steps = 0;
+    for(;;)
+    {
+      const Vector residual = rhs - multiply(potential, slope);
+      const double size = residual.lpNorm<1>();
+      if(!(size >= best))
+      {
+        best = size;
+        m_potential_step = potential;
+        m_gradient_step = slope;
+      }
+      number_of_slow_steps = best <= target ? 0 : number_of_slow_steps + 1;
+      if(number_of_slow_steps == 0)
+        target = 0.5 * best;
+      if(!(best > max_residual) || number_of_slow_steps > max_slow_steps)
+        return;
+      const Vector step = m_solver.solve(residual);
+      const double product = residual.dot(step);
+      direction = step + product / previous_product * direction;
+      previous_product = product;
+      const double curvature = direction.dot(multiply(direction, slope));
+      if(!(product > 0. && curvature > 0.))
+        return;
+      potential += product / curvature * direction;
+    }
+  }
+
   // Computes the changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d.  Returns the
   // longest steps that stay in the cone.
   Steps find_step()
@@ -343,8 +399,7 @@ private:
     Vector rhs = minus_divergence(m_operators, correction) + masses();
     for(const Exit_slack& slack : m_slacks)
       rhs[slack.vertex] += slack.rhs_contribution();
-    m_potential_step = m_solver.solve(rhs);
-    gradient(m_operators, m_potential_step, m_gradient_step);
+    solve(rhs);
     double primal_inverse = 1., dual_inverse = 1.;
     for(Exit_slack& slack : m_slacks)
     {
@@ -433,7 +488,7 @@ private:
   {
     const double primal_step = std::min(1., 0.95 * steps.primal);
     const double dual_step = std::min(1., 0.95 * steps.dual);
-    if(!(primal_step > 1e-6 || dual_step > 1e-6))
+    if(!(primal_step > 1e-6 || dual_step > 1e-6) || !m_potential_step.allFinite())
       return false;
     m_potential += primal_step * m_potential_step;
     for(std::size_t f = 0; f < m_dual.size(); ++f)

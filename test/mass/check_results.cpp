@@ -118,9 +118,25 @@ double number_of_isolated_vertices(const Input& input)
   return double(std::count(is_isolated.begin(), is_isolated.end(), true));
 }
 
-// Returns the length of a shortest path along edges from vertex 0 to each vertex.
+// Returns the length that the library gives to shorter edges: 2^-36 of a unit, which is at most half of
+// the longest edge of the bounding box.
+double min_edge_length(const std::vector<Point>& points)
+{
+  double extent = 0.;
+  for(int k = 0; k < 3; ++k)
+  {
+    const auto [low, high] = std::minmax_element(
+        points.begin(), points.end(), [k](const Point& p, const Point& q) { return p[k] < q[k]; });
+    extent = std::max(extent, (*high)[k] - (*low)[k]);
+  }
+  return 0x1p-36 * 0.5 * extent;
+}
+
+// Returns the length of a shortest path along edges from vertex 0 to each vertex. Distances are exact
+// for edges with the minimum length of the library, so edges have at least that length here.
 std::vector<double> dijkstra(const Input& input)
 {
+  const double min_length = min_edge_length(input.points);
   std::vector<std::vector<std::size_t>> neighbors(input.points.size());
   for(const auto& polygon : input.polygons)
     if(is_face(polygon))
@@ -140,7 +156,8 @@ std::vector<double> dijkstra(const Input& input)
     if(d > result[v])
       continue;
     for(const std::size_t w : neighbors[v])
-      if(const double sum = d + distance(input.points[v], input.points[w]); sum < result[w])
+      if(const double sum = d + std::max(distance(input.points[v], input.points[w]), min_length);
+         sum < result[w])
       {
         result[w] = sum;
         queue.push({sum, w});

@@ -289,6 +289,28 @@ TEST_F(Check_results, degenerate_triangles_decrease_the_lower_bound_of_a_path)
   }
 }
 
+// Vertex 3 is at the point of vertex 0. The edge between them has the minimum length of the library,
+// 2^-36 of half of the extent, which is 1.46e-11.
+TEST_F(Check_results, edges_of_length_zero_have_a_minimum_length)
+{
+  const auto violations = [&](const std::string& distance)
+  {
+    Files files = good_results();
+    files["square.off"] = "OFF\n4 2 0\n0 0 0\n2 0 0\n0 2 0\n0 0 0\n3 0 1 2\n3 0 3 1\n";
+    files["runs"] = "info\t0\t0.1\t0\t\nexact\t0\t0.1\t0\t\n";
+    files["info.txt"] = "0 0 0\n2 0 0\n0 2 0\n0 0 0\n";
+    files["exact.txt"] = "0\n2\n2\n" + distance + "\n";
+    std::vector<std::string> result = check(files);
+    result.erase(std::remove_if(result.begin(), result.end(),
+                                [](const std::string& line)
+                                { return line.find("along edges") == std::string::npos; }),
+                 result.end());
+    return result;
+  };
+  EXPECT_TRUE(violations("1.45e-11").empty());
+  EXPECT_EQ(violations("1.46e-11").size(), 1u);
+}
+
 // CGAL reads no faces from a PLY file with triangle strips.
 TEST_F(Check_results, triangle_strips_are_no_violation)
 {

@@ -68,6 +68,26 @@ void expect_subdivides(const Split_mesh& mesh, const Surface_arrays& coarse)
   }
 }
 
+TEST(Split_mesh, coordinates_in_small_subtriangles_at_a_corner_are_accurate)
+{
+  const double d = 1e-20;
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    const auto at = [=](double x, double y)
+    {
+      std::array<double, 3> b;
+      b[k] = 1. - d * (x + y);
+      b[(k + 1) % 3] = d * x;
+      b[(k + 2) % 3] = d * y;
+      return b;
+    };
+    const auto found = subtriangle_coordinates({at(1., 1.), at(3., 1.), at(1., 3.)}, at(2., 1.5));
+    EXPECT_NEAR(found[0], 0.25, 1e-15); // round-off errors
+    EXPECT_NEAR(found[1], 0.5, 1e-15);
+    EXPECT_NEAR(found[2], 0.25, 1e-15);
+  }
+}
+
 TEST(Split_mesh, splits_keep_surface)
 {
   for(const Triangulation& surface :

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace feature_polylines_test {
@@ -136,6 +138,24 @@ TEST(Feature_polylines, polyline_may_end_in_interior)
   EXPECT_EQ(sample(surface, 0.26, is_curve).size(), 3u);
   EXPECT_EQ(sample(surface, 10., is_curve).size(), 2u);
   EXPECT_TRUE(sample(surface, 1., std::vector<bool>(is_curve.size(), false)).empty());
+}
+
+// A rectangle with a crack of zero width: a boundary cycle whose two sides coincide. One side has a
+// vertex that is not on the other one.
+TEST(Feature_polylines, consecutive_samples_on_both_sides_of_a_crack_differ)
+{
+  Triangulation cracked;
+  cracked.points = {{-3., -2., 0.}, {3., -2., 0.}, {3., 2., 0.},  {-3., 2., 0.},
+                    {-1., 0., 0.},  {1., 0., 0.},  {0.25, 0., 0.}};
+  cracked.corners = {0, 1, 5, 0, 5, 4, 1, 2, 5, 2, 3, 6, 2, 6, 5, 3, 4, 6, 3, 0, 4};
+  const Array_surface surface(cracked);
+  std::vector<Point> samples = sample_boundary(surface, 10.);
+  samples.erase(std::remove_if(samples.begin(), samples.end(),
+                               [](const Point& p) { return p[1] != 0. || std::abs(p[0]) > 1.; }),
+                samples.end());
+  ASSERT_EQ(samples.size(), 3u);
+  for(std::size_t i = 0; i < 3; ++i)
+    EXPECT_GT(distance(samples[i], samples[(i + 1) % 3]), 0.1);
 }
 
 } // namespace feature_polylines_test

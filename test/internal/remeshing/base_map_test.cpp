@@ -95,6 +95,52 @@ TEST(Base_map, has_no_folded_triangles_in_pockets)
   }
 }
 
+// A triangle with a thin tube close to corner `k`. The images of the rings of the tube are much closer
+// to the corner than the round-off error of one.
+TEST(Base_map, has_no_folded_triangles_in_a_tube_at_a_corner)
+{
+  const double d = 1e-9;
+  const Index number_of_rings = 12;
+  Triangulation surface;
+  surface.points = {{0., 0., 0.}, {d, 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0., d, 0.}};
+  surface.corners = {1, 2, 3, 1, 3, 4};
+  std::array<Index, 3> ring = {0, 1, 4};
+  for(Index i = 0; i < number_of_rings; ++i)
+  {
+    const Index next = Index(surface.points.size());
+    for(const auto& [x, y] : {std::pair(0.2, 0.2), std::pair(0.5, 0.2), std::pair(0.2, 0.5)})
+      surface.points.push_back({x * d, y * d, double(i) * d});
+    for(Index j = 0; j < 3; ++j)
+    {
+      const Index a = ring[j], b = ring[(j + 1) % 3], c = next + j, e = next + (j + 1) % 3;
+      surface.corners.insert(surface.corners.end(), {a, b, e, a, e, c});
+    }
+    ring = {next, next + 1, next + 2};
+  }
+  surface.corners.insert(surface.corners.end(), {ring[0], ring[1], ring[2]});
+  const Array_surface disk(surface);
+  for(const std::array<Index, 3>& corners :
+      {std::array<Index, 3>{0, 2, 3}, std::array<Index, 3>{3, 0, 2}, std::array<Index, 3>{2, 3, 0}})
+  {
+    const auto base = one_face(disk, corners);
+    ASSERT_TRUE(base);
+    for(const Base_coordinates kind : kinds)
+    {
+      const Base_map map(base, kind);
+      EXPECT_EQ(map.number_of_flips(), 0u);
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        std::array<double, 3> b = {0., 0., 0.};
+        b[k] = 1.;
+        const Vec3 p = scaled_coordinates(disk.t(), map.inverse({0, b})),
+                   q = scaled_coordinates(disk.t(),
+                                          vertex_location(disk.t(), disk.vertex(corners[k])));
+        EXPECT_LT(norm(p - q), 1e-8); // ten times the width of the tube
+      }
+    }
+  }
+}
+
 TEST(Base_map, is_continuous_across_edges)
 {
   for(const Triangulation& surface : surfaces())

@@ -17,6 +17,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace Transport_solver_test {
 
@@ -116,6 +117,43 @@ TEST(Transport_solver, bounds_contain_the_errors_of_needles)
           EXPECT_LE(result.lower, distance * (1. + 1e-6));
         }
     }
+}
+
+// Splits each triangle at a location close to a corner. `fraction`: of the edges at this corner.
+Triangulation with_needles(Triangulation surface, double fraction)
+{
+  const std::vector<Index> corners = std::exchange(surface.corners, {});
+  for(std::size_t c = 0; c < corners.size(); c += 3)
+  {
+    Point split;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const double x = surface.points[corners[c]][k];
+      split[k] = x + fraction * (surface.points[corners[c + 1]][k] +
+                                 surface.points[corners[c + 2]][k] - 2. * x);
+    }
+    const Index vertex = Index(surface.points.size());
+    surface.points.push_back(split);
+    for(std::size_t k = 0; k < 3; ++k)
+      surface.corners.insert(surface.corners.end(),
+                             {corners[c + k], corners[c + (k + 1) % 3], vertex});
+  }
+  return surface;
+}
+
+TEST(Transport_solver, converges_on_needles)
+{
+  for(const double fraction : {1e-6, 1e-8, 1e-9})
+  {
+    SCOPED_TRACE(fraction);
+    const Array_surface surface(with_needles(torus(24, 12), fraction));
+    const Transport_solver solver(operators(surface.t(), Degenerate_triangles::thickened));
+    const Transport_result result =
+        solver.solve(point_to_point(surface, 20, 150), with_tolerance(1e-5));
+    EXPECT_TRUE(result.is_converged);
+    // Without needles, seven iterations suffice.
+    EXPECT_LT(result.number_of_iterations, 20u);
+  }
 }
 
 // Returns a unit square without the triangles of a wall, which is one cell thick and 3/4 high.

@@ -13,7 +13,8 @@ namespace CGAL::Geodesic_processing::internal {
 // Samples are placed at vertices in which not exactly two feature edges meet, at corners, and
 // between them at equal steps.  A corner is a vertex at which the polyline turns by more than 60
 // degrees.  Of corners closer than half of the spacing only the sharpest counts.  A closed polyline
-// gets at least three samples.  O(n log n).
+// gets at least three samples.  Samples whose point is also that of the previous one, on the other
+// side of a crack of zero width, are moved by a quarter of a step.  O(n log n).
 //
 // spacing: #halfedges, the same for twins: the distance of samples along each feature edge, in
 // scaled units, finite; 0 for all other edges
