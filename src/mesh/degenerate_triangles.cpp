@@ -100,6 +100,7 @@ double max_height(double c, double difference)
 Distance_error distance_error_of_thin_triangles(const Surface_arrays& mesh)
 {
   constexpr double epsilon = std::numeric_limits<double>::epsilon(), max_aspect_ratio = 30.;
+  const double max_error = std::sqrt(10. * epsilon);
   // Longer edges are those of the input: min_edge_length was scaled by less than this.
   constexpr double max_lengthened = 1e6 * min_edge_length;
   Distance_error result;
@@ -116,7 +117,7 @@ Distance_error distance_error_of_thin_triangles(const Surface_arrays& mesh)
     }
     else if(const double height = twice_area(a, b, c) / c; c > max_aspect_ratio * height)
     {
-      const double error = 10. * epsilon * c * (c / height);
+      const double error = std::min(10. * epsilon * c * (c / height), max_error * c);
       result.excess += error;
       result.shortfall += error;
     }

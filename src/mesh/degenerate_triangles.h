@@ -40,8 +40,8 @@ struct Distance_error
 // - Thin ones, whose longest edge c exceeds the height h more than 30 times: The edge lengths have
 //   relative errors of 2 epsilon, and unfolding adds as much.  The square of a segment is a
 //   combination of the squared lengths whose coefficients have a sum of at most 5/4.  Its error is
-//   at most 10 epsilon c^2, and that of a segment with two ends on the boundary 10 epsilon c^2 / h.
-//   The excess and the shortfall contain this error.
+//   at most 10 epsilon c^2.  The error of a segment with two ends on the boundary is at most the
+//   root of that, and at most 10 epsilon c^2 / h.  The excess and the shortfall contain this error.
 // - Degenerate ones, whose two shorter edges exceed the third one by less than 1e-14 of it: The
 //   height is a round-off error of the lengths, or that of without_degenerate_triangles().  It is
 //   added to the excess.  The height on the input is added to the shortfall.

@@ -277,8 +277,8 @@ std::optional<std::vector<std::array<Point, 3>>> surface_triangles(Results& resu
 //   sqrt(c d / 2 + d^2 / 4), and a path crosses each triangle at most once. It subtracts the height
 //   if d < 1e-14 c. Round-off errors of the lengths change d by a few 1e-16 c, so triangles up to
 //   d = 2e-14 c count here, with the height 1e-7 c of that d.
-// - If the height h is less than c / 30, it subtracts 10 epsilon c^2 / h. In these triangles,
-//   round-off errors change h by a few percent, so twice as much counts here.
+// - If the height h is less than c / 30, it subtracts 10 epsilon c^2 / h, at most 5e-8 c. In these
+//   triangles, round-off errors change h by a few percent, so twice as much counts here.
 // - It lengthens edges to 2^-36 < 1.5e-11 of half of the extent. So do edges that have become
 //   slightly longer than that.
 double allowed_gap(const std::vector<std::array<Point, 3>>& triangles)
@@ -297,7 +297,7 @@ double allowed_gap(const std::vector<std::array<Point, 3>>& triangles)
       result += 1e-7 * longest;
     else if(const double height = std::sqrt(4. * CGAL::squared_area(p, q, r)) / longest;
             longest > 29. * height)
-      result += 20. * epsilon * longest * (longest / height);
+      result += std::min(20. * epsilon * longest * (longest / height), 1e-7 * longest);
     for(const double edge : {a, b, c})
       if(edge < 3e-11 * extent)
         result += 3e-11 * extent;

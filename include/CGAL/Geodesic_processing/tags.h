@@ -58,7 +58,7 @@ struct Euclidean_front
 /// separate search from there. Faces of speed zero are obstacles: distances are exact on the
 /// surface without them. All other speeds must be equal. Thin triangles amplify the round-off
 /// errors of the lengths of their edges. A triangle with the longest edge c and the height h changes
-/// a distance by at most 2.3e-15 c<SUP>2</SUP>/h, and one of area zero by at most 7e-8 c. Lower and
+/// a distance by at most 2.3e-15 c<SUP>2</SUP>/h, and by at most 7e-8 c. Lower and
 /// upper bounds contain these errors.
 ///
 /// With a positive `relative_tolerance`, similar windows are merged, and the solver has certified
