@@ -133,7 +133,8 @@ TEST(Geodesic_delaunay_remeshing, error_reports_required_number_of_samples)
   catch(const GP::Invalid_argument_error& error)
   {
     const std::string text = error.what();
-    EXPECT_NE(text.find(" make " + std::to_string(number) + " samples."), std::string::npos) << text;
+    EXPECT_NE(text.find(" make " + std::to_string(number) + " samples."), std::string::npos)
+        << text;
     EXPECT_EQ(text.find("topology"), std::string::npos) << text;
   }
 }
