@@ -176,6 +176,7 @@ TEST(Degenerate_triangles, bounds_contain_the_error_of_thin_triangles)
         // Round-off errors of sums of ten lengths
         EXPECT_LE(lower, exact * (1. + 1e-13)) << length;
         EXPECT_GE(upper, exact * (1. - 1e-13)) << length;
+        EXPECT_EQ(arrays.scale() * windows.bounds(arrays.at(to)).upper, upper);
       }
     }
   }

@@ -91,7 +91,7 @@ public:
   {
     return scaled(without_excess(m_state.vertices[vertex].distance));
   }
-  double upper(Index vertex) const { return scaled(m_state.upper_bound(vertex) + m_max_shortfall); }
+  double upper(Index vertex) const { return scaled(with_shortfall(m_state.upper_bound(vertex))); }
   Index source(Index vertex) const { return m_state.vertices[vertex].source; }
   Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const { return m_state.reached; }
