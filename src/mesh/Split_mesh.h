@@ -13,9 +13,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns the index of the coordinate that is largest in all corners of a subtriangle. Close to a corner
-// of the triangle, this coordinate is one up to round-off errors, whereas the other two have small
-// relative errors. Areas and orientations are therefore computed from the other two.
+// Returns the index of the coordinate that is largest in all corners of a subtriangle.  Close to a
+// corner of the triangle, this coordinate is one up to round-off errors, whereas the other two have
+// small relative errors.  Areas and orientations are therefore computed from the other two.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t dominant_coordinate(const std::array<std::array<double, 3>, 3>& corner);
 

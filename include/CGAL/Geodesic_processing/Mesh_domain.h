@@ -74,8 +74,8 @@ public:
   /// \pre The mesh is valid: `CGAL::is_valid_polygon_mesh(mesh)`. The property map has a value for
   ///      each vertex.
   /// \throws Unsupported_surface_error if a face is not a triangle, if there are more than
-  ///         2<SUP>31</SUP> halfedges, or if most edges are more than 5 &middot; 10<SUP>10</SUP> times shorter
-  ///         than the extent of the faces
+  ///         2<SUP>31</SUP> halfedges, or if most edges are more than
+  ///         5 &middot; 10<SUP>10</SUP> times shorter than the extent of the faces
   /// \throws Invalid_argument_error if a coordinate is not finite, or if distances overflow
   template <typename NamedParameters = internal::Default_parameters>
   explicit Mesh_domain(const TriangleMesh& mesh, const NamedParameters& np = NamedParameters());

@@ -32,10 +32,11 @@ inline constexpr bool uses_path_energy =
 /// that it passes are at least \f$ \pi \f$.  Its length differs from
 /// `Surface_path::front_distance` by at most the error of the method.
 ///
-/// If speeds differ, `Surface_path::front_distance` is a travel time.  On a mesh, the travel time of
-/// the path is then reduced in the neighborhood of the traced path, instead of its length.  It is
-/// lower than `Surface_path::front_distance` as a rule. In measurements, it exceeds this value by a
-/// few percent at most, or by up to 14 % if the speed differs from face to face.  A segment on an edge has the larger speed of the adjacent faces.
+/// If speeds differ, `Surface_path::front_distance` is a travel time.  On a mesh, the travel time
+/// of the path is then reduced in the neighborhood of the traced path, instead of its length.  It
+/// is lower than `Surface_path::front_distance` as a rule.  In measurements, it exceeds this value
+/// by a few percent at most, or by up to 14 % if the speed differs from face to face.  A segment on
+/// an edge has the larger speed of the adjacent faces.
 ///
 /// On a cloud, the path is that of `Surfel_path_finder` between `from` and the nearest location of
 /// the nearest source.  Only a front admits speeds.  If there are speeds, or if the method is
