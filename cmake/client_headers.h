@@ -13,7 +13,7 @@
 
 #include <iostream>
 
-// The precompiled header of the program's commands, demo programs and examples.  They use the kernel
+// The precompiled header of the program's commands, demo programs and examples. They use the kernel
 // Simple_cartesian<double>: parsing the headers of kernels with exact predicates takes twice as long.
 
 namespace CGAL {
@@ -23,7 +23,7 @@ using Client_mesh = Surface_mesh<Client_kernel::Point_3>;
 using Client_cloud = Point_set_3<Client_kernel::Point_3>;
 
 // Meshes, domains, and the readers and writers of all formats take most of the compile time of a
-// demo program.  They are instantiated once, in client_instances.cpp.
+// demo program. They are instantiated once, in client_instances.cpp.
 extern template Client_mesh::Surface_mesh();
 extern template Client_mesh& Client_mesh::operator=(const Client_mesh&);
 extern template class Geodesic_processing::Mesh_domain<Client_mesh>;

@@ -48,7 +48,7 @@ int main(int argc, char* argv[])
   map.compute(pole, GP::parameters::maximum_distance(max_angle));
   const Vector up = mesh.point(pole) - CGAL::ORIGIN, u = map.frame().u, v = map.frame().v;
 
-  // The function is zero on every thirtieth parallel and meridian.  Its amplitude is the
+  // The function is zero on every thirtieth parallel and meridian. Its amplitude is the
   // colatitude, at most 1, because the meridians meet at the pole.
   Mesh flat;
   auto value = flat.add_property_map<Vertex, double>("v:graticule").first;

@@ -66,7 +66,7 @@ int main(int argc, char* argv[])
             << "Sum of squared distances from the centers to the best vertex: " << point.value
             << ".\n";
 
-  // The inputs are shown with negative values and their barycenter with positive values.  A copy
+  // The inputs are shown with negative values and their barycenter with positive values. A copy
   // that is rotated by 180 degrees shows the back.
   auto mean = mesh.add_property_map<Vertex, double>("v:mean").first;
   solver.write_density(mean);

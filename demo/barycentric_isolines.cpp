@@ -30,7 +30,7 @@ int main(int argc, char* argv[])
 
   const GP::Base_parameterization<Mesh> base(mesh, std::stoul(argv[2]));
 
-  // The maximum coordinate is 1 at base vertices and 1/3 at the centers of base faces.  Isolated
+  // The maximum coordinate is 1 at base vertices and 1/3 at the centers of base faces. Isolated
   // vertices have no base location.
   const auto max_coordinate =
       mesh.add_property_map<Mesh::Vertex_index, double>("v:coordinate", 0.).first;

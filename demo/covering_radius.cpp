@@ -36,7 +36,7 @@ int main(int argc, char* argv[])
   GP::farthest_point_sampling(mesh, 1000, std::back_inserter(samples),
                               GP::parameters::covering_radius_output(std::back_inserter(radii)));
 
-  // The hexagonal lattice is the optimal covering of the plane by disks of radius r.  Its cells are
+  // The hexagonal lattice is the optimal covering of the plane by disks of radius r. Its cells are
   // hexagons of area 1.5 sqrt(3) r^2.
   const double area = CGAL::Polygon_mesh_processing::area(mesh);
   for(std::size_t n = 10; n <= radii.size(); n *= 10)

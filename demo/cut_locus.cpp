@@ -39,7 +39,7 @@ int main(int argc, char* argv[])
     departures.push_back(solver.departure(v));
 
   // If the cut locus does not cross an edge, the shortest paths to its ends leave the source in
-  // similar directions.  An edge crosses it if the directions differ by more than five times the
+  // similar directions. An edge crosses it if the directions differ by more than five times the
   // edge length over the shorter distance.
   std::vector<std::optional<Mesh::Point>> crossing(mesh.number_of_edges());
   std::size_t number_of_crossings = 0;
@@ -63,7 +63,7 @@ int main(int argc, char* argv[])
     for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
       if(const auto& p = crossing[mesh.edge(h)])
         edge_crossings.push_back(*p);
-    // The crossings of a face are joined at their centroid.  If there is only one, it is joined to
+    // The crossings of a face are joined at their centroid. If there is only one, it is joined to
     // the centroid of the face.
     Kernel::Vector_3 center = CGAL::NULL_VECTOR;
     if(edge_crossings.size() == 1)

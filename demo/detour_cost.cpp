@@ -23,7 +23,7 @@ using Distances = std::vector<double>;
 namespace GP = CGAL::Geodesic_processing;
 
 // Computes the relative detour (d(p, v) + d(v, q)) / d(p, q) - 1 of each vertex v, with d(p, q)
-// averaged over both directions.  Negative values violate the triangle inequality.
+// averaged over both directions. Negative values violate the triangle inequality.
 Distances compute_detours(const char* name, const Distances& p, const Distances& q,
                           std::size_t p_index, std::size_t q_index)
 {
@@ -67,7 +67,7 @@ int main(int argc, char* argv[])
   const Distances by_heat = compute_detours("Heat distances", compute_distances(p, heat),
                                             compute_distances(q, heat), p, q);
 
-  // Writes both results next to each other, the one of the heat method rotated by 180 degrees.  If
+  // Writes both results next to each other, the one of the heat method rotated by 180 degrees. If
   // the triangle inequality is violated, the value is set to the minimum of the color range.
   Mesh output;
   output.add_property_map<Vertex, double>("v:detour", 0.);

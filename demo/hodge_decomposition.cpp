@@ -43,7 +43,7 @@ int main(int argc, char* argv[])
   solver.write_flow(field[0]);
   GP::hodge_decomposition(solver.domain(), field[0], field[1], field[2], field[3]);
 
-  // Writes one copy of the mesh per field.  The field is drawn by edges between additional
+  // Writes one copy of the mesh per field. The field is drawn by edges between additional
   // vertices.
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double width = box.xmax() - box.xmin();
@@ -59,8 +59,8 @@ int main(int argc, char* argv[])
       squared_norm += square * CGAL::Polygon_mesh_processing::face_area(f, mesh);
       lengths.push_back(std::sqrt(square));
     }
-    // Vectors shorter than 12 % of the 98th percentile are not drawn.  Vectors longer than the 98th
-    // percentile are drawn with the maximum length.  Fields with a relative squared norm of at most
+    // Vectors shorter than 12 % of the 98th percentile are not drawn. Vectors longer than the 98th
+    // percentile are drawn with the maximum length. Fields with a relative squared norm of at most
     // 1e-9 are round-off errors and are not drawn.
     std::vector<double> sorted = lengths;
     std::sort(sorted.begin(), sorted.end());

@@ -47,7 +47,7 @@ Mesh make_tube(int number_along, int number_around)
 
 using Vertex_map = Mesh::Property_map<Mesh::Vertex_index, double>;
 
-// Writes a triangulated floor plan, two triangles per floor cell, to a PLY file.  `mark` sets the
+// Writes a triangulated floor plan, two triangles per floor cell, to a PLY file. `mark` sets the
 // number of people and the capacity of each vertex.
 template <typename Is_floor, typename Mark>
 bool write_plan(const std::string& file, int columns, int rows, const Is_floor& is_floor,
@@ -83,7 +83,7 @@ bool write_plan(const std::string& file, int columns, int rows, const Is_floor& 
   return CGAL::IO::write_PLY(out, mesh);
 }
 
-// Generates a maze by randomized depth-first search: a spanning tree of a square lattice.  Passages
+// Generates a maze by randomized depth-first search: a spanning tree of a square lattice. Passages
 // are three cells wide and walls one cell.
 std::vector<bool> make_maze(int size, unsigned seed)
 {
@@ -126,7 +126,7 @@ bool write_maze(const std::string& file)
 {
   const int size = 9, cells = 4 * size + 1;
   const std::vector<bool> is_floor = make_maze(size, 7);
-  // People start at two inner vertices.  Exits are at the beginning of the first row and at the end
+  // People start at two inner vertices. Exits are at the beginning of the first row and at the end
   // of the last row.
   return write_plan(
       file, cells, cells, [&](int i, int j) { return is_floor[j * cells + i]; },
@@ -139,8 +139,8 @@ bool write_maze(const std::string& file)
       });
 }
 
-// Writes a floor plan of rooms on both sides of a corridor.  The right door has capacity for a
-// quarter of the people only.  Walls are one cell thick.
+// Writes a floor plan of rooms on both sides of a corridor. The right door has capacity for a
+// quarter of the people only. Walls are one cell thick.
 bool write_floor(const std::string& file)
 {
   const int columns = 73, rows = 29;
@@ -179,7 +179,7 @@ int main(int argc, char* argv[])
     cloud << knot.point(v) << '\n';
     noisy << knot.point(v) + Vector(noise(random), noise(random), noise(random)) << '\n';
   }
-  // A sphere, and a noisy pipe.  The noise of one in twenty points is four times larger.
+  // A sphere, and a noisy pipe. The noise of one in twenty points is four times larger.
   std::ofstream sphere(folder + "/sphere.xyz"), pipe(folder + "/pipe.xyz");
   for(int i = 0; i < 10000; ++i)
   {

@@ -21,7 +21,7 @@ using Vertex = Mesh::Vertex_index;
 
 namespace GP = CGAL::Geodesic_processing;
 
-// Appends a mesh to the row and prints the mean relative change of its distances.  The reference is
+// Appends a mesh to the row and prints the mean relative change of its distances. The reference is
 // the first mesh of the row.
 void append(Mesh& output, Mesh mesh, const char* name, Vertex from, double step)
 {
@@ -78,7 +78,7 @@ int main(int argc, char* argv[])
            step);
   }
 
-  // The top quarter is rotated by 0.7 radians and the lower half is fixed.  The rest is
+  // The top quarter is rotated by 0.7 radians and the lower half is fixed. The rest is
   // deformed as rigidly as possible.
   const Kernel::Point_3 neck(0.5 * (box.xmin() + box.xmax()), box.ymin() + 0.6 * height,
                              0.5 * (box.zmin() + box.zmax()));

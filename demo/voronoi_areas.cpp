@@ -38,7 +38,7 @@ int main(int argc, char* argv[])
   auto nearest = mesh.add_property_map<Vertex, unsigned>("v:label", 20).first;
   GP::geodesic_distances(mesh, cities, distance, GP::parameters::source_label_map(nearest));
 
-  // Assigns a third of each triangle's area to each of its vertices.  The last entry is the area
+  // Assigns a third of each triangle's area to each of its vertices. The last entry is the area
   // that no source reaches.
   std::vector<double> areas(21, 0.);
   for(Mesh::Face_index f : mesh.faces())

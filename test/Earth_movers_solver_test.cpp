@@ -29,7 +29,7 @@ using Vector_3 = Kernel::Vector_3;
 // Relative round-off error of sums of some hundred terms and of some tens of back substitutions.
 constexpr double round_off = 1e-9;
 
-// The default tolerance.  In the plane, distances between points are exact up to this gap.
+// The default tolerance. In the plane, distances between points are exact up to this gap.
 constexpr double relative_gap = 1e-3;
 
 double great_circle(const Kernel::Point_3& p, const Kernel::Point_3& q)

@@ -157,7 +157,7 @@ TEST(Region_transport_solver, accepts_locations_between_surfels)
   EXPECT_LT(std::sqrt(CGAL::squared_distance(CGAL::ORIGIN + center, expected)), round_off);
 }
 
-// Checks capacities and spreading with three exits in one row.  The nearest one has too little
+// Checks capacities and spreading with three exits in one row. The nearest one has too little
 // capacity.
 template <typename AnyMesh>
 void expect_limits(double size)

@@ -121,7 +121,7 @@ TEST(Soup_domain, has_results_of_mesh_in_spite_of_orientation_and_separate_point
 
 TEST(Soup_domain, distances_continue_at_split_edge_with_bounded_error)
 {
-  // Three half planes that meet at the x-axis, each a grid.  The shortest path between two points
+  // Three half planes that meet at the x-axis, each a grid. The shortest path between two points
   // of different half planes is a segment after both are unfolded to one plane.
   const int columns = 8, rows = 4;
   for(const int refinement : {1, 2, 4})

@@ -84,7 +84,7 @@ TEST(exponential_map, inverts_logarithmic_map_on_cloud)
     {
       const double error =
           norm(to_array(domain.point(map.exponential(map(reached)))) - cloud.points[reached]);
-      // The logarithmic map on the cloud has errors of up to 0.9 % of the distance.  The tangent
+      // The logarithmic map on the cloud has errors of up to 0.9 % of the distance. The tangent
       // planes are up to 0.002 above the sphere.
       EXPECT_LT(error, 0.01 * std::hypot(map(reached)[0], map(reached)[1]) + 0.002);
       sum += error;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Precomputes a solver once and runs several queries with a maximum distance.  The cost of such a
+// Precomputes a solver once and runs several queries with a maximum distance. The cost of such a
 // query depends on the number of vertices that it reaches, not on the size of the mesh.
 #include <CGAL/Geodesic_processing.h>
 

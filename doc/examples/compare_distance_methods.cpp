@@ -19,7 +19,7 @@ using Vertex = Mesh::Vertex_index;
 
 namespace GP = CGAL::Geodesic_processing;
 
-// Returns the relative error at the corner opposite the source.  The path to it crosses the
+// Returns the relative error at the corner opposite the source. The path to it crosses the
 // diagonals of the grid.
 template <typename Method, typename Domain>
 double relative_error(const char* name, const Domain& domain, Mesh& mesh, double truth)

@@ -33,7 +33,7 @@ int main()
   const auto vertex = [](int i, int j) { return Vertex(i + 61 * j); };
   const auto up = GP::parameters::up_direction(Kernel::Vector_3(0, 1, 0));
 
-  // An image is a function of decal coordinates.  An image file can be used through a function that
+  // An image is a function of decal coordinates. An image file can be used through a function that
   // interpolates its pixels.
   const GP::Decal_color blue = {0., 0., 1., 1.}, yellow = {1., 1., 0., 1.};
   const GP::Decal_image flag = [&](const GP::Decal_coordinates& p)
@@ -44,7 +44,7 @@ int main()
     return GP::Decal_color{1., 0., 0., is_inside ? 0.5 : 0.};
   };
 
-  // The placer precomputes once.  The cost of a placement depends on the number of faces that the
+  // The placer precomputes once. The cost of a placement depends on the number of faces that the
   // decal covers.
   GP::Decal_placer<Mesh> placer(mesh);
   for(const int column : {15, 30})

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Computes shortest distances around an obstacle, with the default method: a wall across a plate,
-// whose faces have speed zero.  The distances are exact, also at many locations inside faces.
+// whose faces have speed zero. The distances are exact, also at many locations inside faces.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/locate.h>

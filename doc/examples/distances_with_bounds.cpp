@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Computes distances with a relative tolerance on a torus.  Certified bounds show which of the
+// Computes distances with a relative tolerance on a torus. Certified bounds show which of the
 // vertices are within a radius; only for the others exact distances are needed.
 #include <CGAL/Geodesic_processing.h>
 

@@ -24,7 +24,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // Creates a unit square.  The speed is zero inside the wall.
+  // Creates a unit square. The speed is zero inside the wall.
   const int n = 40;
   Mesh yard;
   CGAL::make_grid(

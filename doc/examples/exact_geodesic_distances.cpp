@@ -56,7 +56,7 @@ int main()
   is_correct =
       is_correct && (departure.length * departure.direction - expected).squared_length() < 1e-24;
 
-  // Computes the distances of all pairs in parallel.  From each corner, three others have distance
+  // Computes the distances of all pairs in parallel. From each corner, three others have distance
   // 1, three have sqrt(2), and one has sqrt(5).
   const std::vector<Vertex> corners(mesh.vertices().begin(), mesh.vertices().end());
   const Eigen::MatrixXd distances =

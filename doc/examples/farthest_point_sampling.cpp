@@ -40,7 +40,7 @@ int main()
   for(std::size_t i = 0; i < 4; ++i)
     std::cout << PMP::construct_point(samples[i], mesh) << '\n';
 
-  // The first sample is a corner, because the farthest vertex from any vertex is a corner.  The
+  // The first sample is a corner, because the farthest vertex from any vertex is a corner. The
   // covering radii are non-increasing.
   const Point first = PMP::construct_point(samples[0], mesh);
   const bool is_corner =

@@ -41,6 +41,6 @@ int main()
     std::cout << p << '\n';
   std::cout << "length " << path.length << '\n';
 
-  // Two adjacent faces unfold to a rectangle of size 1 by 2.  Its diagonal is the shortest path.
+  // Two adjacent faces unfold to a rectangle of size 1 by 2. Its diagonal is the shortest path.
   return std::abs(path.length - std::sqrt(5.)) < 1e-9 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

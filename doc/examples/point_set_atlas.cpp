@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Computes a texture atlas of surfels on a torus.  A cloud has no faces, so that the atlas belongs
+// Computes a texture atlas of surfels on a torus. A cloud has no faces, so that the atlas belongs
 // to a mesh that is reconstructed.
 #include <CGAL/Geodesic_processing.h>
 
@@ -40,7 +40,7 @@ int main()
   std::cout << atlas.number_of_charts << " charts on " << mesh.number_of_faces() << " faces cover "
             << 100. * atlas.coverage << " percent of the texture\n";
 
-  // The vertices of the mesh are the surfels.  A torus has V - E + F = 0, hence F = 2 V.
+  // The vertices of the mesh are the surfels. A torus has V - E + F = 0, hence F = 2 V.
   bool are_equal = mesh.number_of_vertices() == cloud.size();
   for(const Mesh::Vertex_index v : mesh.vertices())
     are_equal &= mesh.point(v) == cloud.point(surfel[v].surfel);

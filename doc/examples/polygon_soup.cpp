@@ -54,7 +54,7 @@ int main()
   const std::size_t source = n * (n + 1); // (10, 0, 0), a corner of the first page
   GP::geodesic_distances(domain, Vertex(source), CGAL::make_property_map(distance));
 
-  // The shortest path to the opposite corner of the last page is the diagonal of two pages.  It
+  // The shortest path to the opposite corner of the last page is the diagonal of two pages. It
   // crosses the spine at a vertex.
   const double exact = std::hypot(2. * n, n);
   std::cout << "distance " << distance.back() << ", exact distance " << exact << '\n';

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shortens a drawn polyline on a cloud.  It leads around a cylinder the long way, and the geodesic
-// does so, too.  The shortest path takes the other way.
+// Shortens a drawn polyline on a cloud. It leads around a cylinder the long way, and the geodesic
+// does so, too. The shortest path takes the other way.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Point_set_3.h>
@@ -41,7 +41,7 @@ int main()
   std::cout << "length of the drawn geodesic " << drawn.front_distance << ", of the shortest path "
             << shortest.front_distance << '\n';
 
-  // Both are circular arcs of radius one.  The fitted surface has errors of fourth order.
+  // Both are circular arcs of radius one. The fitted surface has errors of fourth order.
   return std::abs(drawn.front_distance - 4.) < 1e-3 &&
                  std::abs(shortest.front_distance - (2. * CGAL_PI - 4.)) < 1e-3
              ? EXIT_SUCCESS

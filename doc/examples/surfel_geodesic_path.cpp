@@ -36,7 +36,7 @@ int main()
     const auto path = GP::surfel_geodesic_path(cloud, Cloud::Index(0), Cloud::Index(n - 1));
     std::cout << path.points.size() << " points, as far as " << path.front_distance
               << " from pole to pole\n";
-    // The exact path is half a great circle.  The noise amplitude is a fifth of the point spacing.
+    // The exact path is half a great circle. The noise amplitude is a fifth of the point spacing.
     is_correct = is_correct && std::abs(path.front_distance - CGAL_PI) < (noise > 0. ? 0.01 : 1e-6);
   }
   return is_correct ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -20,7 +20,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // Creates an open tube of 41 rings with 40 vertices each.  Edges along rings have length 1.
+  // Creates an open tube of 41 rings with 40 vertices each. Edges along rings have length 1.
   const int n = 40, rings = 41;
   const double radius = 0.5 / std::sin(CGAL_PI / n);
   Mesh mesh;
@@ -53,7 +53,7 @@ int main()
             << '\n';
   bool is_correct = std::abs(slope_change(geodesic) - 2.) < 1e-9; // the slope changes from 1 to -1
 
-  // The transport metric is smoothest with basis size 0.  It approaches the geodesic distance as
+  // The transport metric is smoothest with basis size 0. It approaches the geodesic distance as
   // the basis size grows.
   double previous_distance = 1e9;
   for(const std::size_t k : {0, 20, 100})

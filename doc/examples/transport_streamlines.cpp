@@ -53,7 +53,7 @@ int main()
   const GP::Earth_movers_cost cost = solver.compute(gaussian_mass(p, 0.15), gaussian_mass(q, 0.3),
                                                     GP::parameters::do_normalize(true));
 
-  // Traces 200 streamlines.  They are straight on the unrolled sheet.
+  // Traces 200 streamlines. They are straight on the unrolled sheet.
   std::vector<GP::Streamline<Mesh>> lines;
   solver.streamlines()(200, std::back_inserter(lines));
   double mean_length = 0.;

@@ -24,7 +24,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // Creates a floor of size 2 by 1 with a wall at x = 1.  The wall is open for y >= 0.8.
+  // Creates a floor of size 2 by 1 with a wall at x = 1. The wall is open for y >= 0.8.
   const int n = 40;
   Mesh floor_plan;
   CGAL::make_grid(
@@ -71,7 +71,7 @@ int main()
     if(std::isfinite(distance_to_door[v]))
       longest = std::max(longest, distance_to_door[v]);
   std::cout << "Nobody is farther from a door than " << longest << ".\n";
-  // The farthest vertex is (1, 1).  Its exact distance sqrt(2) is underestimated by a fraction of
+  // The farthest vertex is (1, 1). Its exact distance sqrt(2) is underestimated by a fraction of
   // an edge length.
   return is_correct && longest > 1.4 && longest < std::sqrt(2.) + 1e-9 ? EXIT_SUCCESS
                                                                        : EXIT_FAILURE;

@@ -45,7 +45,7 @@ int main()
       torus.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
 
-  // The points are inside the torus, on opposite sides of its axis.  Triangles are not refined.
+  // The points are inside the torus, on opposite sides of its axis. Triangles are not refined.
   const Point p(1., 0., 0.), q(-1., 0.1, 0.);
   const GP::Volumetric_metric<Mesh> metric(torus, GP::parameters::number_of_refinements(0u));
   const GP::Earth_movers_cost cost = metric.cost(p, q);

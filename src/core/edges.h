@@ -12,7 +12,7 @@ namespace CGAL::Geodesic_processing::internal {
 // Calls visit(target, length) for each edge of the proximity graph that leaves a vertex of a cloud.
 // On a mesh there are none.
 //
-// slowness: #triangles, or null.  If given, only edges of length zero are visited, which lead to
+// slowness: #triangles, or null. If given, only edges of length zero are visited, which lead to
 // copies of the same surfel: slowness belongs to triangles, and graph edges are in none.
 template <typename Visitor>
 void for_each_graph_edge(const Surface_arrays& t, const std::vector<double>* slowness, Index vertex,
@@ -25,8 +25,8 @@ void for_each_graph_edge(const Surface_arrays& t, const std::vector<double>* slo
 }
 
 // Calls visit(target, length) for each edge of the surface that leaves a vertex: edges of the
-// proximity graph and edges of triangles, times the slowness of the triangle.  An edge of two
-// triangles is visited twice.  Triangles of infinite slowness are skipped.
+// proximity graph and edges of triangles, times the slowness of the triangle. An edge of two
+// triangles is visited twice. Triangles of infinite slowness are skipped.
 template <typename Visitor>
 void for_each_edge(const Surface_arrays& t, const std::vector<double>* slowness, Index vertex,
                    const Visitor& visit)

@@ -9,7 +9,7 @@
 
 #include <array>
 
-// Exact predicates of points with double coordinates.  They have a source of their own, because
+// Exact predicates of points with double coordinates. They have a source of their own, because
 // CGAL's kernel takes seconds to compile.
 
 namespace CGAL::Geodesic_processing::internal {
@@ -23,7 +23,7 @@ int orientation(const Vec2& p, const Vec2& q, const Vec2& r);
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_degenerate(const std::array<Vec3, 3>& triangle);
 
-// Returns true if two closed triangles have a common point.  They must not be degenerate.
+// Returns true if two closed triangles have a common point. They must not be degenerate.
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool triangles_intersect(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& q);
 
@@ -33,7 +33,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 bool triangle_intersects_segment(const std::array<Vec3, 3>& triangle,
                                  const std::array<Vec3, 2>& segment);
 
-// Returns true if the triangles p, q, r and p, q, s are coplanar and on the same side of p, q.  The
+// Returns true if the triangles p, q, r and p, q, s are coplanar and on the same side of p, q. The
 // points p, q and r must not be collinear.
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_folded_flat(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);

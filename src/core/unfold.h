@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-// Unfolds triangles into the plane, from their edge lengths only.  Lengths that violate the
+// Unfolds triangles into the plane, from their edge lengths only. Lengths that violate the
 // triangle inequality yield a flat triangle.
 
 namespace CGAL::Geodesic_processing::internal {
@@ -20,7 +20,7 @@ inline Vec2 rotated_left(const Vec2& p) { return {-p[1], p[0]}; }
 inline Vec2 rotated_right(const Vec2& p) { return {p[1], -p[0]}; }
 
 // Computes twice the area of a triangle from its edge lengths; zero if they violate the triangle
-// inequality.  The order of operations is that of Kahan: Heron's formula loses half of the digits
+// inequality. The order of operations is that of Kahan: Heron's formula loses half of the digits
 // for needles.
 inline double twice_area(double a, double b, double c)
 {
@@ -64,7 +64,7 @@ inline double distance_in_triangle(const Surface_arrays& t, Index triangle,
   return norm((p[1] - q[1]) * corners[1] + (p[2] - q[2]) * corners[2]);
 }
 
-// Computes the angle at a corner, in [0, pi].  An edge of length zero is treated as the limit of
+// Computes the angle at a corner, in [0, pi]. An edge of length zero is treated as the limit of
 // short edges of isosceles triangles: the angles at its two ends are pi/2.
 inline double interior_angle(const Surface_arrays& t, Index corner)
 {

@@ -21,7 +21,7 @@ namespace {
 // out the irregular triangulation of a scan.
 constexpr double radius_in_edge_lengths = 3.;
 
-// A quadric has six coefficients.  Twice as many surfels average out noise.
+// A quadric has six coefficients. Twice as many surfels average out noise.
 constexpr std::size_t min_number_of_surfels = 12;
 
 // A symmetric 3 x 3 matrix: the sum over edges of angle * length * e e^T, e the unit direction.
@@ -60,7 +60,7 @@ struct Curvature_terms
 {
   std::vector<Vec3> normal; // #triangles: of length 2 area
   // #halfedges: the dihedral angle between the normals, positive at a convex edge, times half of
-  // the length; the twin has the other half.  0 at the boundary.
+  // the length; the twin has the other half. 0 at the boundary.
   std::vector<double> weighted_angle;
   std::vector<Curvature_tensor> tensor; // #triangles: sum over its halfedges
 };
@@ -114,7 +114,7 @@ Curvature principal_curvature(double a, double b, double c, const Vec3& x, const
           std::cos(angle) * y - std::sin(angle) * x, std::cos(angle) * x + std::sin(angle) * y};
 }
 
-// Returns the curvature from the normal cycle of a ball.  Edges and triangles at its boundary are
+// Returns the curvature from the normal cycle of a ball. Edges and triangles at its boundary are
 // weighted by the fraction that the front covers.
 Curvature normal_cycle(const Surface_arrays& t, const Curvature_terms& terms, const Front& front,
                        double radius)
@@ -174,7 +174,7 @@ Curvature normal_cycle(const Surface_arrays& t, const Curvature_terms& terms, co
   return {result.min_curvature, result.max_curvature, result.max_direction, result.min_direction};
 }
 
-// Returns the curvature of the quadric fitted to a ball of surfels.  The first one is the center.
+// Returns the curvature of the quadric fitted to a ball of surfels. The first one is the center.
 Curvature fit_curvature(const Surface_arrays& t, const std::vector<Index>& ball)
 {
   const Index origin = ball.front();
@@ -211,8 +211,8 @@ std::vector<Curvature> curvatures(const std::shared_ptr<const Surface_arrays>& t
   const Surface_arrays& t = *triangles;
   std::vector<Curvature> result(t.number_of_vertices());
   const Curvature_terms terms = t.is_cloud() ? Curvature_terms() : curvature_terms(t);
-  // Planar fronts are accurate enough for a ball, and never correct final vertices.  Euclidean
-  // fronts do, which takes milliseconds for each vertex of a Schwarz lantern.  On clouds, edges in
+  // Planar fronts are accurate enough for a ball, and never correct final vertices. Euclidean
+  // fronts do, which takes milliseconds for each vertex of a Schwarz lantern. On clouds, edges in
   // many directions make Dijkstra's algorithm accurate enough.
   const Front_kind kind = t.is_cloud() ? Front_kind::dijkstra : Front_kind::planar;
   for_each_row(Front(triangles, kind), result.size(), {}, number_of_threads,

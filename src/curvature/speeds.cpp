@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Bounds the absolute values.  Sharp edges of a mesh of 2^31 halfedges yield some hundred thousands.
+// Bounds the absolute values. Sharp edges of a mesh of 2^31 halfedges yield some hundred thousands.
 // Without the bound, needles overflow.
 constexpr double max_curvature_bound = 1e6;
 

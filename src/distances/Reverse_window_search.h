@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Propagates windows from a location back to the sources of a forward query.
 //
-// The forward distance of a vertex is a lower bound of the rest of a path.  Therefore only windows
+// The forward distance of a vertex is a lower bound of the rest of a path. Therefore only windows
 // that may be on a path of the required length are propagated.
 class CGAL_GEODESIC_PROCESSING_EXPORT Reverse_window_search
 {
@@ -24,7 +24,7 @@ public:
   // Returns the end of the shortest path; its distance is infinite if there is none.
   const Meeting& find_shortest(const Window_state& forward, const Surface_location& from);
   // Returns the end of a path to a point source that is shorter than `max_length`; if there is none,
-  // only the distance is set, to `max_length`.  See Window_goal::find_between().
+  // only the distance is set, to `max_length`. See Window_goal::find_between().
   const Meeting& find_between(const Window_state& initialized, const Surface_location& source,
                               const Surface_location& from, double max_length);
   // Finds the ends of all paths of at most this length.
@@ -33,7 +33,7 @@ public:
   const Window_state& state() const { return m_state; }
   const std::vector<Meeting>& meetings() const { return m_goal.meetings(); }
   // Continues a path from the sources, which ends at a vertex, recursively by all arrivals kept
-  // there.  Appends the complete paths, at most 64 in total.  Requires find_all().
+  // there. Appends the complete paths, at most 64 in total. Requires find_all().
   void collect_paths(Index vertex, const std::vector<Surface_location>& path,
                      std::vector<std::vector<Surface_location>>& paths) const;
 

@@ -28,7 +28,7 @@ struct Meeting
   Index origin = none;
 };
 
-// Finds the meetings of a backward search with the results of a forward query.  The length of the
+// Finds the meetings of a backward search with the results of a forward query. The length of the
 // shortest meeting bounds the search.
 //
 // With find_each(), it measures distances of a forward propagation at locations instead.
@@ -40,8 +40,8 @@ public:
   // Starts a search for the shortest path, or for all paths of at most this length.
   void find_shortest(const Window_state& forward);
   void find_all(const Window_state& forward, double max_length);
-  // Starts a search for the shortest path to a point source that is shorter than this length.  The
-  // sources of the forward query have been initialized, but it has not run.  The straight distance
+  // Starts a search for the shortest path to a point source that is shorter than this length. The
+  // sources of the forward query have been initialized, but it has not run. The straight distance
   // to the source replaces its distances.
   void find_between(const Window_state& initialized, const Surface_location& source,
                     double max_length);
@@ -59,15 +59,15 @@ public:
   // In a search for all paths, stores an arrival at a vertex, unless one from the same direction is
   // stored.
   void keep_arrival(Index vertex, const Window_arrival& arrival);
-  // Returns whether the path through a vertex at this backward distance may be short enough.  If it
+  // Returns whether the path through a vertex at this backward distance may be short enough. If it
   // is the shortest one so far, it becomes the meeting.
   bool reach(Index vertex, double distance);
   // Returns the distance at a vertex beyond which no path is short enough.
   double max_useful_distance(Index vertex) const;
   // Tests the segments from a position in the layout of a triangle to the closest points of the
-  // source pieces in this triangle.  The position is at this backward distance from the origin.
+  // source pieces in this triangle. The position is at this backward distance from the origin.
   void meet_sources(Index triangle, const Vec2& position, double distance, Index origin);
-  // Tests the paths from windows that cross a halfedge to the source pieces in its triangle.  The
+  // Tests the paths from windows that cross a halfedge to the source pieces in its triangle. The
   // first entry of `windows` is unused.
   void meet_sources_behind(Index h, const std::vector<Window>& windows);
 

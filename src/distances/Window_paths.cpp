@@ -270,7 +270,7 @@ Bounded_path Window_propagation::path_between(const Surface_location& from,
   return shortened(path, length);
 }
 
-// Shortens a path of straight lines, which shortens only gaps at round-off errors.  Returns an empty
+// Shortens a path of straight lines, which shortens only gaps at round-off errors. Returns an empty
 // path if it is disconnected or longer than expected.
 Bounded_path Window_propagation::shortened(const std::vector<Surface_location>& path,
                                            double length) const

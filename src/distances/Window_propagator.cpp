@@ -19,8 +19,8 @@ namespace {
 // A path that bends by this angle counts as straight: its length changes by a fraction of 1e-17
 // only.
 constexpr double straight_angle_tolerance = 1e-8;
-// Windows cross most halfedges once or twice.  If they cross one more often than this, they may
-// circulate around spikes or between coincident faces.  Then the halfedge stores the windows that
+// Windows cross most halfedges once or twice. If they cross one more often than this, they may
+// circulate around spikes or between coincident faces. Then the halfedge stores the windows that
 // cross it.
 constexpr std::uint8_t max_untracked_crossings = 8;
 
@@ -424,8 +424,8 @@ void Window_propagator::cross_triangle(Index h)
 }
 
 // Returns the window with the smallest distance at the apex, among first .. last - 1 and the two
-// windows adjacent to them.  The line of a window that does not see the apex bends at an end of the
-// window.  In a search for all paths, relaxes the apex by each of them.
+// windows adjacent to them. The line of a window that does not see the apex bends at an end of the
+// window. In a search for all paths, relaxes the apex by each of them.
 Window_propagator::Nearest_window Window_propagator::find_nearest(Index h, const Vec2& apex_point,
                                                                   std::size_t first,
                                                                   std::size_t last)
@@ -484,7 +484,7 @@ void Window_propagator::relax_apex(Index h, const Vec2& apex_point, const Neares
         window.error());
 }
 
-// Enqueues the parts of the windows that leave through the left edge.  Lines that cross the line of
+// Enqueues the parts of the windows that leave through the left edge. Lines that cross the line of
 // the nearest window are not shortest behind it and are dropped.
 void Window_propagator::cross_to_left(Index h, Vec2 apex_point, std::size_t last,
                                       Nearest_window nearest)

@@ -17,8 +17,8 @@ class Window_goal;
 // The relative round-off error of a sum of thousands of lengths is smaller.
 constexpr double round_off_tolerance = 1e-12;
 
-// Returns for each vertex whether a shortest path may bend there.  This requires an angle sum above
-// 2 pi, a boundary, or more than one fan.  Throws Unsupported_surface_error if the arrays are a
+// Returns for each vertex whether a shortest path may bend there. This requires an angle sum above
+// 2 pi, a boundary, or more than one fan. Throws Unsupported_surface_error if the arrays are a
 // cloud.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const std::vector<bool>> find_pseudo_sources(const Surface_arrays& triangles);
@@ -36,15 +36,15 @@ public:
 
   // Initializes vertices and windows from the sources; requires a cleared state and its min_offset.
   CGAL_GEODESIC_PROCESSING_EXPORT void start(const std::vector<Front_source>& sources);
-  // Processes the first item of the queue.  Returns true if it is a vertex.  If the work exceeds
+  // Processes the first item of the queue. Returns true if it is a vertex. If the work exceeds
   // its limit, clears the state and throws Unsupported_surface_error.
   CGAL_GEODESIC_PROCESSING_EXPORT bool step();
 
   // Returns the work so far: the number of windows that waited at crossed halfedges, of comparisons
   // with stored windows, and of triangles around finalized vertices.
   std::size_t work() const { return m_work; }
-  // Returns the limit of the work on n halfedges: 10^9 + 10 n^1.5.  On smooth surfaces the work is a
-  // small multiple of n.  Windows that circulate around a vertex of high degree cross each of its
+  // Returns the limit of the work on n halfedges: 10^9 + 10 n^1.5. On smooth surfaces the work is a
+  // small multiple of n. Windows that circulate around a vertex of high degree cross each of its
   // edges; then n^2 is possible.
   CGAL_GEODESIC_PROCESSING_EXPORT static std::size_t usual_max_work(std::size_t n);
 

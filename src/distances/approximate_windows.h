@@ -16,16 +16,16 @@ namespace CGAL::Geodesic_processing::internal {
 // point source, as far as a tolerance admits (Surazhsky and others 2005, section 5).
 //
 // Unlike there, the distances of the new window are nowhere larger than those of the old ones, and
-// equal at the outer ends.  Three properties follow.
-// - Its lines cover at least the region that the old lines cover.  This is because its distance is
+// equal at the outer ends. Three properties follow.
+// - Its lines cover at least the region that the old lines cover. This is because its distance is
 //   smaller beside the ends, so that its lines there lean farther outwards.
 // - Whatever dominates a window, the distances behind it can only become smaller than those of the
-//   exact propagation.  They are therefore lower bounds.
+//   exact propagation. They are therefore lower bounds.
 // - The smallest distance is continuous along an edge, as in the exact propagation, which the
-//   pruning of windows requires.  Without equal distances at the ends, lower bounds were up to 1.5 %
+//   pruning of windows requires. Without equal distances at the ends, lower bounds were up to 1.5 %
 //   too large.
 // The largest difference of the distances, added to the error of the old windows, is the error of
-// the new one.  It bounds the length of real paths through it.
+// the new one. It bounds the length of real paths through it.
 
 // An interval of an edge, and the distances at its ends.
 struct End_distances
@@ -33,8 +33,8 @@ struct End_distances
   double length, at_begin, at_end;
 };
 
-// A point source with the given distances at the ends is determined by its offset.  The larger the
-// offset, the smaller are the distances in between.  The following two functions return the smallest
+// A point source with the given distances at the ends is determined by its offset. The larger the
+// offset, the smaller are the distances in between. The following two functions return the smallest
 // offset with one more property, or -infinity if each offset has it.
 
 // The distance increases at the begin by at most this slope.
@@ -64,7 +64,7 @@ inline double slope(const Window& w, double position)
   return -to_source[0] / norm(to_source);
 }
 
-// Returns the largest value, in the first window, of its distance minus that of the second one.  The
+// Returns the largest value, in the first window, of its distance minus that of the second one. The
 // second window is not straight.
 inline double max_difference(const Window& w, const Window& other)
 {
@@ -79,7 +79,7 @@ inline double max_difference(const Window& w, const Window& other)
 }
 
 // Merges window `a` into its successor `b` if the error of the result is at most `tolerance` times
-// its smallest distance.  Otherwise returns false.
+// its smallest distance. Otherwise returns false.
 inline bool merge_similar(const Window& a, Window& b, double tolerance, double min_length)
 {
   // The radius of the wave is at most this multiple of the distance: a larger one has round-off

@@ -11,9 +11,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 // The geometry of a circular front in the plane (Reimers 2004).
 //
-// The front passes a vertex x at the origin.  An edge of a given length runs from x along the first
-// axis to a vertex z.  The front arrives from below this edge and is evaluated at a point y above
-// it.  `difference` is the distance of z minus the distance of x.
+// The front passes a vertex x at the origin. An edge of a given length runs from x along the first
+// axis to a vertex z. The front arrives from below this edge and is evaluated at a point y above
+// it. `difference` is the distance of z minus the distance of x.
 
 struct Circular_front
 {
@@ -22,7 +22,7 @@ struct Circular_front
 };
 
 // Computes `gain`, the distance at y minus the distance at x, and `back`, the unit vector from y to
-// the source.  Returns false if the straight line from y to the source misses the edge.
+// the source. Returns false if the straight line from y to the source misses the edge.
 inline bool cross_edge(const Circular_front& circle, double length, const Vec2& y, double& gain,
                        Vec2& back)
 {
@@ -41,7 +41,7 @@ inline bool cross_edge(const Circular_front& circle, double length, const Vec2& 
 }
 
 // Computes the direction to the source of a circle of known curvature from the difference of the
-// distances at the ends of an edge.  Returns false if no direction yields that difference.
+// distances at the ends of an edge. Returns false if no direction yields that difference.
 inline bool fit_source_direction(double length, double difference, Circular_front& circle)
 {
   const double cosine = -difference / length + 0.5 * circle.curvature * (length - difference) *
@@ -52,9 +52,9 @@ inline bool fit_source_direction(double length, double difference, Circular_fron
   return true;
 }
 
-// Returns the residual d + l c - (l^2 - d^2) / (2 r) of a circle of this curvature (see below).  It
+// Returns the residual d + l c - (l^2 - d^2) / (2 r) of a circle of this curvature (see below). It
 // is positive if `difference` is larger than that of the circle, and negative if it is smaller.
-// For a straight front it is the difference of both.  `cosine` is that of the angle at x between
+// For a straight front it is the difference of both. `cosine` is that of the angle at x between
 // the edge and the source.
 inline double circle_residual(double curvature, double length, double difference, double cosine)
 {
@@ -66,8 +66,8 @@ inline double circle_residual(double curvature, double length, double difference
 // along the edge, but at least `min_curvature`.
 //
 // With d = difference, l = length, c = cosine, u = source, e = the edge's direction: |l e - r u| =
-// r + d yields 1 / r = 2 (d + l c) / (l^2 - d^2).  Only a residual beyond 1e-11 of the distance is
-// used.  Otherwise round-off errors always increase the curvature and accumulate.  On a flat
+// r + d yields 1 / r = 2 (d + l c) / (l^2 - d^2). Only a residual beyond 1e-11 of the distance is
+// used. Otherwise round-off errors always increase the curvature and accumulate. On a flat
 // square, the relative error after 300 edges was 1e-10 instead of 1e-15.
 inline double fitted_curvature(double min_curvature, double length, double difference,
                                double cosine, double distance)

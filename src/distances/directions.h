@@ -24,7 +24,7 @@ inline Vec2 edge_direction(const std::array<Vec2, 3>& corners, Index h)
 }
 
 // Returns the polar angle of a direction at a vertex, counterclockwise from the halfedge that
-// leaves the first corner of its one-ring.  The direction is given in the frame of a corner of the
+// leaves the first corner of its one-ring. The direction is given in the frame of a corner of the
 // vertex.
 inline double polar_angle(const Surface_arrays& t, Index corner, const Vec2& direction)
 {

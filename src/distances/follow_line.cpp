@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The end of a segment is found if it is closer than this fraction of an edge.  Also the angle
+// The end of a segment is found if it is closer than this fraction of an edge. Also the angle
 // within which a segment touches a vertex.
 constexpr double location_tolerance = 1e-6;
 // A crossing closer to an end of the edge than this fraction is moved to that end.
@@ -39,7 +39,7 @@ Index first_halfedge(const std::array<Vec2, 3>& corners, const Line& line, doubl
   return 3 * line.triangle;
 }
 
-// Follows a line as follow_line() does.  If the third corner of a triangle is to the left of the
+// Follows a line as follow_line() does. If the third corner of a triangle is to the left of the
 // line by more than the angle, the line leaves to the right of that corner, otherwise to the left
 // of it.
 std::optional<Line> follow_line(const Surface_arrays& t, Line line, const Surface_location& end,

@@ -20,8 +20,8 @@ struct Line
 
 // Follows a segment through the triangles of a mesh to its end, which is known as a location.
 // Returns the segment in the layout of its last triangle, or nothing if it misses the location by
-// more than 1e-6 of an edge.  If the segment passes within 1e-6 of a vertex, both sides of the
-// vertex are tried.  `crossings` receives the points on the crossed edges, unless it is null.
+// more than 1e-6 of an edge. If the segment passes within 1e-6 of a vertex, both sides of the
+// vertex are tried. `crossings` receives the points on the crossed edges, unless it is null.
 // O(#crossed triangles).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<Line> follow_line(const Surface_arrays& triangles, const Line& line,

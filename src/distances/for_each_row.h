@@ -16,9 +16,9 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Calls row(i, engine, limits) for each row i, on several threads; each thread has a copy of the
-// engine.  If a row only runs its engine within the limits and writes its own entries, the results
-// do not depend on the number of threads.  The callback of the limits receives the fraction of the
-// rows done, from one thread at a time.  Returns false if it cancelled.
+// engine. If a row only runs its engine within the limits and writes its own entries, the results
+// do not depend on the number of threads. The callback of the limits receives the fraction of the
+// rows done, from one thread at a time. Returns false if it cancelled.
 template <typename Engine, typename Row>
 bool for_each_row(const Engine& engine, std::size_t number_of_rows, Front_limits limits,
                   unsigned number_of_threads, const Row& row)

@@ -26,7 +26,7 @@ void prefetch_around(const Front_state& front, Index vertex)
   if(!front.fans)
     return prefetch(front.triangles->ring.data() + front.triangles->ring_begin[vertex]);
   const Vertex_fans::Offsets& first = front.fans->begin[vertex];
-  // Cache lines: four hold the fan edges of a vertex of degree 6, two hold three splits.  The
+  // Cache lines: four hold the fan edges of a vertex of degree 6, two hold three splits. The
   // addresses may be beyond the end of the array, which pointer arithmetic does not admit.
   const auto prefetch_lines = [](const void* address, std::uintptr_t number_of_lines)
   {
@@ -75,7 +75,7 @@ finalization_delays(const Front_state& front, const std::vector<Surface_location
   return result;
 }
 
-// Selects what a Euclidean front propagates on.  With speeds it is straight and needs the triangles
+// Selects what a Euclidean front propagates on. With speeds it is straight and needs the triangles
 // of the surface, because a speed is constant in each of them.
 void select_triangles(Front_state& front)
 {
@@ -202,7 +202,7 @@ void Front::begin_query(const Front_limits& limits)
 }
 
 // Makes the vertices final in the order of their distances, until the queue is empty, the targets
-// are final, or the callback cancels the query.  Returns false if cancelled.
+// are final, or the callback cancels the query. Returns false if cancelled.
 bool Front::propagate(const Front_limits& limits)
 {
   Front_state& front = m_state;
@@ -211,7 +211,7 @@ bool Front::propagate(const Front_limits& limits)
   for(std::size_t number_of_visits = 0; !front.queue.empty(); ++number_of_visits)
   {
     const Vertex_queue::Entry entry = front.queue.front();
-    // Tentative vertices are delayed.  Therefore a later vertex may be closer than this one, and
+    // Tentative vertices are delayed. Therefore a later vertex may be closer than this one, and
     // the query continues.
     const double distance = front.vertices[entry.vertex].distance;
     if(distance > limits.maximum_distance || distance == infinity)
@@ -264,7 +264,7 @@ void Front::propagate_from(Index v)
 }
 
 // Resets the vertices that are not final, and moves the inserted ones out of the list of reached
-// vertices.  Returns those whose corrections may have been refused.
+// vertices. Returns those whose corrections may have been refused.
 std::vector<Index> Front::collect_final_vertices()
 {
   Front_state& front = m_state;

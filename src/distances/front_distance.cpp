@@ -34,8 +34,8 @@ double distance_to_pieces(const Front_state& front, Index triangle,
   return result;
 }
 
-// Returns the distance at a point `p` of a triangle by the front that enters through an edge.  The
-// front is fitted at the begin of the halfedge or, if mirrored, at its end.  Infinity if there is
+// Returns the distance at a point `p` of a triangle by the front that enters through an edge. The
+// front is fitted at the begin of the halfedge or, if mirrored, at its end. Infinity if there is
 // no such front.
 double distance_through_edge(const Front_state& front, const std::array<Vec2, 3>& corners, Index h,
                              bool is_mirrored, const Vec2& p)

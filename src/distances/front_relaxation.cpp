@@ -61,8 +61,8 @@ void relax_along_edge(Front_state& front, Index vertex, const Fan_position& posi
   const double distance = front.vertices[vertex].distance + edge.length;
   if(!(distance <= front.vertices[edge.vertex].distance))
     return;
-  // In the triangle to the right of the edge, the edge leaves the corner of the far end.  Therefore
-  // the direction to the source is the first axis.  At the boundary only the triangle to its left
+  // In the triangle to the right of the edge, the edge leaves the corner of the far end. Therefore
+  // the direction to the source is the first axis. At the boundary only the triangle to its left
   // exists, in which the edge arrives at that corner.
   Arrival arrival = {distance, {1., 0.}, none, flags, flags & tentative_flag ? edge.length : 0.};
   const bool has_before = position.edge > front.fans->begin[vertex].edge &&

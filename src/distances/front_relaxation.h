@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Relaxation of vertices, shared by all update rules of a front.
 //
-// A Euclidean front may arrive at a final vertex later with a smaller distance.  Then the vertex is
+// A Euclidean front may arrive at a final vertex later with a smaller distance. Then the vertex is
 // corrected: it enters the queue again, and the vertices that were computed from it are
 // invalidated.
 
@@ -30,25 +30,25 @@ constexpr Index straight_flag = 16; // its source is a segment: the front may be
 constexpr Index arrival_flags = source_flag | tentative_flag | straight_flag;
 // The higher bits count the corrections of a vertex.
 constexpr Index correction_unit = 32;
-// Most vertices need no correction, and few need more than ten.  The bound ends cycles, in which
+// Most vertices need no correction, and few need more than ten. The bound ends cycles, in which
 // vertices invalidate each other.
 constexpr Index max_corrections = 64;
 
-// A final vertex is corrected if its distance decreases by more than this fraction.  A front that
+// A final vertex is corrected if its distance decreases by more than this fraction. A front that
 // is fitted to an overestimated distance is too curved and yields underestimates, which no later
-// relaxation repairs.  On an irregular square, 1e-8 left errors of 2e-4; 1e-12 leaves round-off
+// relaxation repairs. On an irregular square, 1e-8 left errors of 2e-4; 1e-12 leaves round-off
 // errors at the same cost.
 constexpr double correction_tolerance = 1e-12;
-// On a curved surface the front is not exact anyway.  There descendants are invalidated only if the
-// distance decreases by more than this fraction of an edge.  The errors are the same; queries are
+// On a curved surface the front is not exact anyway. There descendants are invalidated only if the
+// distance decreases by more than this fraction of an edge. The errors are the same; queries are
 // 25 % faster on meshes in which half of the triangles are obtuse.
 constexpr double invalidation_ratio = 1e-2;
-// A vertex in the queue is relaxed only if its distance decreases by more than this fraction.  The
+// A vertex in the queue is relaxed only if its distance decreases by more than this fraction. The
 // minimum of many values that differ by round-off errors is biased, increasingly with the distance.
 constexpr double relaxation_tolerance = 1e-14;
-// Bounds the number of invalidated vertices by this multiple of the reached ones.  Scans need 0.2,
-// most CAD models less.  On some, cycles have no end; with four times this budget, queries took up
-// to ten times as long, with the same errors.  Beyond the budget a vertex is corrected a few times
+// Bounds the number of invalidated vertices by this multiple of the reached ones. Scans need 0.2,
+// most CAD models less. On some, cycles have no end; with four times this budget, queries took up
+// to ten times as long, with the same errors. Beyond the budget a vertex is corrected a few times
 // only and nothing is invalidated.
 constexpr std::size_t max_invalidation_ratio = 1;
 constexpr std::size_t min_invalidation_budget = 2000; // allowed in every query
@@ -89,7 +89,7 @@ inline double straight_bound(const Front_state& front, Index vertex)
   return front.min_offset + straight_distance(front.surface->point[vertex], *front.point_source);
 }
 
-// Updates a vertex if the arrival is better than its values, and puts it into the queue.  Returns
+// Updates a vertex if the arrival is better than its values, and puts it into the queue. Returns
 // whether the vertex was updated.
 inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index source)
 {
@@ -153,10 +153,10 @@ void invalidate_descendants(Front_state& front);
 // vertex.
 bool may_improve_neighbors(const Front_state& front, Index vertex);
 
-// Relaxes the far end of a fan edge with the length of the edge.  Requires fans.
+// Relaxes the far end of a fan edge with the length of the edge. Requires fans.
 void relax_along_edge(Front_state& front, Index vertex, const Fan_position& position, Index flags);
 
-// Relaxes all vertices adjacent to a vertex with the lengths of the edges.  Requires fans.
+// Relaxes all vertices adjacent to a vertex with the lengths of the edges. Requires fans.
 void relax_all_edges(Front_state& front, Index vertex, Index flags);
 
 // Decreases the distances of a Euclidean front on a mesh to those along edges of the mesh: edges

@@ -42,7 +42,7 @@ Vec2 in_corner_frame(const Front_state& front, const Vec2& vector,
 }
 
 // Stores the piece of a source between two locations in a triangle, and relaxes the corners of the
-// triangle with their distances to it.  Does nothing if one location is not in the triangle.
+// triangle with their distances to it. Does nothing if one location is not in the triangle.
 void initialize_triangle(Front_state& front, Index triangle, const Surface_location& begin,
                          const Surface_location& end, double offset, Index source)
 {
@@ -53,7 +53,7 @@ void initialize_triangle(Front_state& front, Index triangle, const Surface_locat
   const Surface_location local_begin = {triangle, none, *p}, local_end = {triangle, none, *q};
   const double slowness = front.slowness_in(triangle);
   const auto corners = unfolded(t, triangle);
-  // The front of a segment is straight.  Beyond its ends the fitted curvature makes it circular.
+  // The front of a segment is straight. Beyond its ends the fitted curvature makes it circular.
   const Vec2 at_begin = unfolded_point(corners, *p), at_end = unfolded_point(corners, *q);
   const Index straight = norm(at_end - at_begin) > 0. ? straight_flag : 0;
   // A source at a corner is represented by the distance of that vertex.

@@ -11,10 +11,10 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The update rules of a front.  Each propagate_*() relaxes the vertices around a vertex that has
+// The update rules of a front. Each propagate_*() relaxes the vertices around a vertex that has
 // just become final.
 
-// Relaxes along the edges of the mesh or cloud (Dijkstra's algorithm), in propagate_edges.cpp.  A
+// Relaxes along the edges of the mesh or cloud (Dijkstra's algorithm), in propagate_edges.cpp. A
 // planar front on a cloud uses the edges of the proximity graph only.
 void propagate_along_edges(Front_state& front, Index vertex);
 
@@ -28,11 +28,11 @@ void propagate_circular(Front_state& front, Index vertex);
 // Relaxes by circular fronts on a cloud, in propagate_on_cloud.cpp.
 void propagate_on_cloud(Front_state& front, Index vertex);
 
-// Computes the direction to the source of a vertex in the triangle of one of its corners.  The
-// direction is rotated around the vertex from the triangle in which it is stored.  The first axis
+// Computes the direction to the source of a vertex in the triangle of one of its corners. The
+// direction is rotated around the vertex from the triangle in which it is stored. The first axis
 // of `source` is the halfedge that leaves the corner or, if mirrored, the other edge of the
-// triangle at the vertex; its second coordinate is <= 0.  Returns false if there is no direction,
-// or if the triangle is the one in which it is stored.  Also returns false if the triangle is in
+// triangle at the vertex; its second coordinate is <= 0. Returns false if there is no direction,
+// or if the triangle is the one in which it is stored. Also returns false if the triangle is in
 // the shadow of the vertex: more than pi from the source.
 bool source_direction(const Front_state& front, Index corner, bool is_mirrored, Vec2& source);
 
@@ -44,7 +44,7 @@ Vec2 tangent_coordinates(const Front_state& front, Index vertex, const Vec3& dir
 void initialize(Front_state& front, const std::vector<Front_source>& sources);
 
 // Returns the distance at a point of a triangle, in front_distance.cpp: the minimum over the source
-// pieces in the triangle, its corners, and the fronts that enter through its edges.  Infinity if
+// pieces in the triangle, its corners, and the fronts that enter through its edges. Infinity if
 // none reaches the point.
 double distance_in_front(const Front_state& front, Index triangle,
                          const std::array<double, 3>& barycentric);

@@ -45,7 +45,7 @@ double component_width(const std::shared_ptr<const Surface_arrays>& triangles,
 }
 
 // Returns the unit vector of the negative gradient of a function in each triangle, or zero if it is
-// constant.  function: #vertices.
+// constant. function: #vertices.
 Field unit_descent_directions(const Operators& operators, const Vector& function)
 {
   Field result(operators.number_of_triangles(), Vec2{0., 0.});
@@ -78,8 +78,8 @@ struct Deposit
   double offset; // of its source
 };
 
-// Distributes the heat of the sources to vertices.  A point has heat 1, divided by its barycentric
-// coordinates.  A segment has half of its length, in units of `diffusion_length`, at each end.  A
+// Distributes the heat of the sources to vertices. A point has heat 1, divided by its barycentric
+// coordinates. A segment has half of its length, in units of `diffusion_length`, at each end. A
 // polyline of length zero is a point.
 std::vector<Deposit> deposits_of(const Surface_arrays& t, double diffusion_length,
                                  const std::vector<Front_source>& sources)
@@ -112,7 +112,7 @@ std::vector<Deposit> deposits_of(const Surface_arrays& t, double diffusion_lengt
   return result;
 }
 
-// Returns the number to be added to the potential in each connected component.  After that the
+// Returns the number to be added to the potential in each connected component. After that the
 // weighted mean of the potential over the sources in the component equals that of their offsets.
 // Not a number if the component has no source.
 std::vector<double> component_shifts(const std::vector<Index>& component,
@@ -171,7 +171,7 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles)
   const Vector mass = lumped_mass(systems->operators);
   heat.diagonal() += (mass.array() > 0.).select(mass, 1.);
   systems->heat = std::make_unique<Sparse_solver>(heat);
-  // The solver pins one vertex of each component.  A diagonal shift of the singular matrix that is
+  // The solver pins one vertex of each component. A diagonal shift of the singular matrix that is
   // small enough for a long strip would be lost in round-off errors.
   systems->poisson = std::make_unique<Poisson_solver>(laplacian, matrix);
 

@@ -22,8 +22,8 @@ std::optional<double> uniform_slowness(const std::vector<double>& slowness);
 
 // Returns a copy of a mesh without its obstacles.
 //
-// Vertices and triangles keep their indices.  The halfedges of an obstacle have length 0 and no
-// twins, the halfedges adjacent to it become boundary, and no ring contains its corners.  The copy
+// Vertices and triangles keep their indices. The halfedges of an obstacle have length 0 and no
+// twins, the halfedges adjacent to it become boundary, and no ring contains its corners. The copy
 // has no points.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const Surface_arrays> without_obstacles(const Surface_arrays& mesh,

@@ -14,12 +14,12 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // If the distance of an adjacent final vertex z is smaller than that of the circle of this vertex,
-// by more than this fraction of their edge, the front of z enters their triangle a second time.  On
+// by more than this fraction of their edge, the front of z enters their triangle a second time. On
 // one face of a cube projected to a sphere, the errors were up to 2.8 % (mean 0.04 %) without this;
 // 0.20 % (0.007 %) with 1e-3; 0.44 % (0.013 %) with 1e-2; and 0.20 % (0.0066 %) with 0.
 constexpr double reentry_ratio = 1e-3;
 // An edge is in the shadow of its vertex if its angle to the source exceeds pi by more than this
-// sine.  The front arrives behind it along another path.
+// sine. The front arrives behind it along another path.
 constexpr double shadow_tolerance = -1e-12;
 
 void update_from(Front_state& front, Index corner, bool is_mirrored);
@@ -44,8 +44,8 @@ double max_useful_gain(const Front_state& front, const Front_vertex& x, const Fr
   return max_gain;
 }
 
-// Rotates a direction at the far vertex y into the frame of the corner at y.  The first axis of the
-// given coordinates is the crossed edge, from (0, 0) to (base, 0).  Returns false if that triangle
+// Rotates a direction at the far vertex y into the frame of the corner at y. The first axis of the
+// given coordinates is the crossed edge, from (0, 0) to (base, 0). Returns false if that triangle
 // has an edge of length 0.
 bool to_target_frame(const Vec2& backward, bool is_mirrored, double base, const Vec2& y,
                      const Vec2& opening, Vec2& direction)
@@ -65,7 +65,7 @@ bool to_target_frame(const Vec2& backward, bool is_mirrored, double base, const 
 }
 
 // Relaxes the far vertex of the triangle after a fan edge by the circular front that crosses an
-// edge at `v`.  This is the right edge or, if mirrored, the left edge, as seen from `v`.  `angle`
+// edge at `v`. This is the right edge or, if mirrored, the left edge, as seen from `v`. `angle`
 // is the unit vector of the angle between the source and that edge.
 void update_circular(Front_state& front, Index v, const Fan_position& position, bool is_mirrored,
                      const Vec2& angle, double min_curvature)
@@ -82,7 +82,7 @@ void update_circular(Front_state& front, Index v, const Fan_position& position, 
   const double base = near.length;
   const Vec2 y = far.length * opening;
   // The curvature of a front on a polyhedron is at least that of a front from a point at this
-  // distance.  Therefore the gain is at least |y - r u| - r with r = 1 / min_curvature.
+  // distance. Therefore the gain is at least |y - r u| - r with r = 1 / min_curvature.
   const Index flags = (x.state | z.state) & straight_flag;
   double curvature = flags ? 0. : min_curvature;
   const Vec2 source = {angle[0], -angle[1]};
@@ -187,7 +187,7 @@ Fan fan_of(const Vertex_fans& s, Index v, Index triangle)
 }
 
 // Relaxes through the triangles around a vertex, in both directions from the triangle through which
-// the front arrived.  Stops at an edge whose angle to the source exceeds pi.  Returns whether this
+// the front arrived. Stops at an edge whose angle to the source exceeds pi. Returns whether this
 // covered all triangles of the vertex.
 bool propagate_around(Front_state& front, Index v)
 {

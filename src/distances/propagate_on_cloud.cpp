@@ -11,13 +11,13 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The triangles of a cloud have no twins.  Directions are stored in the tangent planes of the
+// The triangles of a cloud have no twins. Directions are stored in the tangent planes of the
 // surfels and rotated into the plane of each triangle.
 
 namespace {
 
 // Applies to a vector perpendicular to the unit vector `from` the smallest rotation that takes
-// `from` to the line of the unit vector `to`.  This unfolds across a sharp edge, where a projection
+// `from` to the line of the unit vector `to`. This unfolds across a sharp edge, where a projection
 // would turn the vector towards the edge.
 Vec3 rotated_between(const Vec3& v, const Vec3& from, const Vec3& to)
 {
@@ -56,9 +56,9 @@ bool triangle_frame(const Surface_arrays& t, Index from, Index along, Index targ
   return true;
 }
 
-// Computes the circular front at `from` in the plane of a triangle.  `source` is the direction in
-// space from `from` to the source.  If it is null, because `from` is tentative, the direction is
-// fitted to the distances of both ends of the edge.  Returns false if there is no such front.
+// Computes the circular front at `from` in the plane of a triangle. `source` is the direction in
+// space from `from` to the source. If it is null, because `from` is tentative, the direction is
+// fitted to the distances of both ends of the edge. Returns false if there is no such front.
 bool front_in_triangle(const Front_state& front, Index from, Index along, const Vec3* source,
                        const Triangle_frame& frame, Circular_front& circle)
 {
@@ -103,7 +103,7 @@ void update_on_cloud(Front_state& front, Index from, const Vec3* source, Index a
   if(!cross_edge(circle, frame.base, frame.target, gain, backward))
     return;
   const double distance = x.distance + gain;
-  // A predecessor is closer to the source than the target.  Otherwise two vertices could be the
+  // A predecessor is closer to the source than the target. Otherwise two vertices could be the
   // predecessors of each other.
   const bool is_from_closer = x.distance < distance;
   const bool is_along_closer = front.have_same_source(from, along) && z.distance < distance;
@@ -158,7 +158,7 @@ void propagate_on_cloud(Front_state& front, Index v)
   const auto [axis_1, axis_2] = tangent_frame(t.normal[v]);
   const Vec3 source = front.directions[v][0] * axis_1 + front.directions[v][1] * axis_2;
   const bool is_tentative = from.state & tentative_flag;
-  // Edges of the proximity graph connect different components of triangles only.  Inside a
+  // Edges of the proximity graph connect different components of triangles only. Inside a
   // component, these longer edges would arrive before the front through the triangles.
   for(Index i = t.graph.begin[v]; i < t.graph.begin[v + 1]; ++i)
     if((*front.components)[v] != (*front.components)[t.graph.target[i]])

@@ -18,8 +18,8 @@ struct Planar_distance
   bool is_closer_to_z = false; // the front arrives closer to z than to x
 };
 
-// Computes the distance at `apex` by the straight front through the distances of x and z.  The base
-// runs from x along the first axis to z.  Infinity if the distances have different sources, or if
+// Computes the distance at `apex` by the straight front through the distances of x and z. The base
+// runs from x along the first axis to z. Infinity if the distances have different sources, or if
 // the ray to the apex does not cross the base.
 Planar_distance planar_update(const Front_state& front, Index x, Index z, double base,
                               const Vec2& apex, double slowness)

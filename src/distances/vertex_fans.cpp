@@ -22,7 +22,7 @@ struct Splitting_vertex
 };
 
 // Unfolds triangles behind the edge opposite to a corner until one has a vertex that splits the
-// corner into two acute angles.  `angle` is (cos, sin) of the corner.
+// corner into two acute angles. `angle` is (cos, sin) of the corner.
 Splitting_vertex find_splitting_vertex(const Surface_arrays& t, Index corner, const Vec2& angle)
 {
   constexpr int max_steps = 20;
@@ -61,7 +61,7 @@ Splitting_vertex find_splitting_vertex(const Surface_arrays& t, Index corner, co
   return {corner, none, 0., {0., 0.}};
 }
 
-// Tolerance for an angle sum of 2 pi.  The errors of single precision coordinates are smaller.
+// Tolerance for an angle sum of 2 pi. The errors of single precision coordinates are smaller.
 constexpr double flat_angle_tolerance = 1e-6;
 
 // Appends the fan edges of all vertices.

@@ -11,8 +11,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Paths from the results of window propagation.  A path from a vertex to its source is a chain of
-// straight lines between pseudo-sources.  Each vertex stores the last one as a Window_arrival.
+// Paths from the results of window propagation. A path from a vertex to its source is a chain of
+// straight lines between pseudo-sources. Each vertex stores the last one as a Window_arrival.
 
 // A straight line from a location, in a direction of the layout of its triangle, to the origin of a
 // window.

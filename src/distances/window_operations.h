@@ -19,7 +19,7 @@ constexpr double merge_tolerance = 1e-13;
 constexpr double min_overlap_ratio = 0.6;
 
 // Returns a value that is positive if a position on the edge is to the right of the line from the
-// window's source to the apex, and negative if it is to the left.  The scale is arbitrary.
+// window's source to the apex, and negative if it is to the left. The scale is arbitrary.
 inline double side_of_apex_line(const Window& window, double position, const Vec2& apex_point)
 {
   return (position * window.weight() - window.source[0]) * apex_point[1] +
@@ -39,8 +39,8 @@ inline Window mirror(Window w, double length)
 }
 
 // Returns the part of a window that leaves the triangle through its left edge, in the coordinates
-// of that edge's twin.  The left edge runs from the origin along `axis` to the apex and has this
-// length.  `begin` and `end` are side_of_apex_line() of the window's ends; `begin` is negative.
+// of that edge's twin. The left edge runs from the origin along `axis` to the apex and has this
+// length. `begin` and `end` are side_of_apex_line() of the window's ends; `begin` is negative.
 inline Window clip_through_left(Window w, double begin, double end, const Vec2& axis, double length)
 {
   // The line through (b, 0) meets the edge at the fraction b y / (b y + side_of_apex_line(b)).
@@ -52,8 +52,8 @@ inline Window clip_through_left(Window w, double begin, double end, const Vec2& 
 }
 
 // Narrows the interval [begin, end] in which `a` and `b` become equally far, by four steps of the
-// regula falsi.  The interval always contains the position of equal distance, so that a caller cuts
-// off only parts with larger distances.  The differences at the ends are distance of `a` minus
+// regula falsi. The interval always contains the position of equal distance, so that a caller cuts
+// off only parts with larger distances. The differences at the ends are distance of `a` minus
 // distance of `b`.
 inline void bracket_equal_distance(const Window& a, const Window& b, double& begin, double& end,
                                    double difference_at_begin, double difference_at_end)
@@ -80,8 +80,8 @@ inline void bracket_equal_distance(const Window& a, const Window& b, double& beg
 }
 
 // Splits two overlapping windows at the position of equal distance; `a` is the first one along the
-// edge.  If one of them is farther in the whole overlap, cuts its overlap off.  If their sources
-// are equal, merges `a` into `b`.  Returns false if `a` must be removed.
+// edge. If one of them is farther in the whole overlap, cuts its overlap off. If their sources
+// are equal, merges `a` into `b`. Returns false if `a` must be removed.
 inline bool split_overlap(Window& a, Window& b, double min_length)
 {
   double overlap_begin = std::max(a.begin, b.begin), overlap_end = std::min(a.end, b.end);
@@ -143,7 +143,7 @@ inline void trim_dominated(Window& w, const Window& other)
   if(!(overlap_begin < overlap_end) || (overlap_begin > w.begin && overlap_end < w.end) ||
      !is_other_closer(overlap_begin) || !is_other_closer(overlap_end))
     return;
-  // Two hyperbolas intersect at most twice.  In between, their difference has one extremum.
+  // Two hyperbolas intersect at most twice. In between, their difference has one extremum.
   const double slope = (w.source[0] - other.source[0]) / (w.offset - other.offset);
   const double extremum =
       w.source[0] + std::abs(w.source[1]) * slope / std::sqrt(1. - slope * slope);

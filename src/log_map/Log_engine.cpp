@@ -68,12 +68,12 @@ void Gradient_engine::run(const Tangent_plane& plane, const Log_map_options& opt
 
 // Returns the length of the stencil divided by the mean length of the edges around the base point.
 //
-// A longer stencil averages the errors of the distances, but is more affected by curvature.  The
+// A longer stencil averages the errors of the distances, but is more affected by curvature. The
 // best ratio is proportional to one over the square root of the mean angle between adjacent
-// normals.  On a sphere of 10,000 vertices, the error of tangent vectors is 0.044 %, and 0.11 %
-// with a ratio of 0.6.  On the armadillo of 26,000 vertices, a rough mesh, the median error of
+// normals. On a sphere of 10,000 vertices, the error of tangent vectors is 0.044 %, and 0.11 %
+// with a ratio of 0.6. On the armadillo of 26,000 vertices, a rough mesh, the median error of
 // directions is 0.92 degrees; it is 0.87 degrees with a ratio of 0.6, and 1.4 degrees with twice
-// the length.  On a cloud, the stencil must reach surfels in all directions.
+// the length. On a cloud, the stencil must reach surfels in all directions.
 double Gradient_engine::stencil_length_ratio(const Tangent_plane& plane) const
 {
   if(m_triangles->is_cloud())

@@ -60,8 +60,8 @@ bool is_edge_cut(const Surface_arrays& t, const Triangle_image& image, Index k)
   return is_cut(t, 3 * image.triangle + k, image.corners[k], image.corners[(k + 1) % 3]);
 }
 
-// Replaces the image of a cut triangle.  The new one is similar to the triangle and attached to its
-// longest edge that is not cut.  Returns false if all edges are cut.
+// Replaces the image of a cut triangle. The new one is similar to the triangle and attached to its
+// longest edge that is not cut. Returns false if all edges are cut.
 bool complete_image(const Surface_arrays& t, Triangle_image& image)
 {
   Index longest = none;

@@ -16,37 +16,37 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Edges are flipped if the opposite angles sum to more than pi by this angle.  Fronts are inaccurate
-// on needles and caps, not on triangles that are nearly Delaunay.  On 47 scans, patches and CAD
-// models with 10 sources, no mean or largest error is more than 2 % larger than without flips.  With
+// Edges are flipped if the opposite angles sum to more than pi by this angle. Fronts are inaccurate
+// on needles and caps, not on triangles that are nearly Delaunay. On 47 scans, patches and CAD
+// models with 10 sources, no mean or largest error is more than 2 % larger than without flips. With
 // 10 degrees, the mean error is 7 % larger on one of them; with 20, the largest one is 33 % larger on
 // another.
 constexpr double usual_flip_tolerance = 18. * pi / 180.;
-// The tolerance on meshes with large triangles.  On 610 public meshes, mostly CAD models, the
+// The tolerance on meshes with large triangles. On 610 public meshes, mostly CAD models, the
 // largest error was at most 5 % on 581; with 15 degrees on 579, and with 20 on 576.
 constexpr double flip_tolerance_for_large_triangles = 10. * pi / 180.;
-// Triangles with long edges cover at least this share of the area of such a mesh.  With half of it
+// Triangles with long edges cover at least this share of the area of such a mesh. With half of it
 // and twice of it, the geometric means of the errors on the 47 meshes differ by less than 1 %.
 constexpr double min_share_of_large_triangles = 0.1;
 // Edges are bisected if they are longer than this multiple of the root of the area per vertex;
-// edges of equilateral triangles have 1.07.  Fronts are inaccurate on triangles that are much
-// larger than the mean.  On 70 public meshes that were bisected before the flips, the largest error
+// edges of equilateral triangles have 1.07. Fronts are inaccurate on triangles that are much
+// larger than the mean. On 70 public meshes that were bisected before the flips, the largest error
 // was at most 5 % on 57 % of them without bisections; on 94 % with 4, and the time grew to 1.4
 // (median); on 99 % with 3 and 1.8; and on 99 % with 2 and 3.1.
 constexpr double max_relative_edge_length = 3.;
-// No edge is bisected if none is longer than this.  Meshes of uniformly stretched triangles keep
+// No edge is bisected if none is longer than this. Meshes of uniformly stretched triangles keep
 // their vertices: on one of them, bisections took a front 2.3 times as long.
 constexpr double min_longest_edge_length = 5.;
-// The area per vertex is that of a mesh with at least this number of vertices.  With 1000, the
+// The area per vertex is that of a mesh with at least this number of vertices. With 1000, the
 // front is slower than exact distances on many meshes of less than 100 vertices.
 constexpr double min_number_of_vertices = 500.;
-// The triangulation has at most this multiple of the same number of vertices.  This limits the time
+// The triangulation has at most this multiple of the same number of vertices. This limits the time
 // on needles, whose edges are all long: a front on a cylinder of 18,000 vertices takes 2.6 times as
-// long as fast marching, and many times as long with a multiple of 8.  The errors on public meshes
+// long as fast marching, and many times as long with a multiple of 8. The errors on public meshes
 // are equal.
 constexpr double max_refinement = 2.;
 
-// The history of the flips takes 48 bytes for each of them.  On 60 scans and CAD models there
+// The history of the flips takes 48 bytes for each of them. On 60 scans and CAD models there
 // are at most 1.3 flips per halfedge, and 4.3 on a model of needles.
 constexpr std::size_t max_flips_per_halfedge = 8;
 
@@ -224,8 +224,8 @@ double Intrinsic_triangulation::side(const Step& step, Index triangle,
   return side_of_diagonal(flip, weights_at_edge(flip, triangle, weights));
 }
 
-// Moves a location over a flip.  It is moved to the triangle at b, if it is beyond the diagonal as
-// seen from a, or to that at a.  Its weights there follow from the crossing x of edge and diagonal:
+// Moves a location over a flip. It is moved to the triangle at b, if it is beyond the diagonal as
+// seen from a, or to that at a. Its weights there follow from the crossing x of edge and diagonal:
 // a is a combination of x and b, and x one of c and d.
 Intrinsic_triangulation::Place
 Intrinsic_triangulation::follow_flip(const Step& step, Index triangle, bool is_beyond,
@@ -247,7 +247,7 @@ Intrinsic_triangulation::follow_flip(const Step& step, Index triangle, bool is_b
   return {h / 3, step.next[is_beyond ? 0 : 1]};
 }
 
-// Moves a location over the next step.  Of a bisection, the triangle beyond is that at b: there a
+// Moves a location over the next step. Of a bisection, the triangle beyond is that at b: there a
 // is twice the midpoint minus b.
 Intrinsic_triangulation::Place Intrinsic_triangulation::follow(const Place& place, bool is_beyond,
                                                                std::array<double, 3>& weights) const

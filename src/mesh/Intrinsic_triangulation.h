@@ -16,10 +16,10 @@ namespace CGAL::Geodesic_processing::internal {
 // A nearly intrinsic Delaunay triangulation of a mesh, without long edges on request, and the map
 // from locations on the mesh to it.
 //
-// Both have the same metric.  The vertices of the mesh come first; further vertices are midpoints
-// of edges.  A location is mapped by the flips and bisections in their order: each step that
-// changes its triangle moves it to one of the two new triangles.  Its weights stay nonnegative,
-// because no areas are computed.  Thus needles and triangles of area zero need no special case.
+// Both have the same metric. The vertices of the mesh come first; further vertices are midpoints
+// of edges. A location is mapped by the flips and bisections in their order: each step that
+// changes its triangle moves it to one of the two new triangles. Its weights stay nonnegative,
+// because no areas are computed. Thus needles and triangles of area zero need no special case.
 // (Fisher and others 2007, "An algorithm for the construction of intrinsic Delaunay
 // triangulations", describe flips of meshes; locating points by the history of the flips is the
 // method of Guibas, Knuth and Sharir 1992.)
@@ -29,14 +29,14 @@ public:
   using Segment = std::pair<Surface_location, Surface_location>;
 
   // Flips and bisects the edges of a mesh, in time linear in the number of flips and O(k log k) for
-  // k bisections.  There are at most 1000 + 8 #halfedges flips; if this bound is reached, some
+  // k bisections. There are at most 1000 + 8 #halfedges flips; if this bound is reached, some
   // triangles stay thin.
   explicit Intrinsic_triangulation(const Surface_arrays& mesh,
                                    Bisected_edges bisected = Bisected_edges::none);
 
   // Returns whether no edge was flipped or bisected; then there are no triangles.
   bool is_empty() const { return m_steps.empty(); }
-  // Returns the triangles.  Two of them can have the same vertices, and one can have a vertex
+  // Returns the triangles. Two of them can have the same vertices, and one can have a vertex
   // twice.
   const std::shared_ptr<const Surface_arrays>& triangles() const { return m_triangles; }
 
@@ -44,7 +44,7 @@ public:
   // Requires that there are triangles.
   Surface_location locate(const Surface_location& location) const;
   // Returns the pieces of a segment between two locations in a triangle of the mesh, each in one
-  // triangle of the triangulation.  Their order is arbitrary.
+  // triangle of the triangulation. Their order is arbitrary.
   std::vector<Segment> locate_segment(Index triangle, const std::array<double, 3>& begin,
                                       const std::array<double, 3>& end) const;
 
@@ -99,7 +99,7 @@ private:
 };
 
 // Returns the intrinsic triangulation of a mesh, computed once as long as any user holds the
-// result. The mesh must not change afterwards.  Thread-safe.
+// result. The mesh must not change afterwards. Thread-safe.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const Intrinsic_triangulation>
 shared_intrinsic_triangulation(const Surface_arrays& mesh, Bisected_edges bisected);

@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Smaller barycentric coordinates of samples are set to zero.  Next to feature edges, only
+// Smaller barycentric coordinates of samples are set to zero. Next to feature edges, only
 // round-off errors are, so that no sample changes sides.
 constexpr double snap_tolerance = 0.01, roundoff_tolerance = 1e-12;
 
@@ -32,7 +32,7 @@ std::array<double, 3> subtriangle_coordinates(const std::array<std::array<double
 {
   using Barycentric = std::array<double, 3>;
   const std::size_t k = dominant_coordinate(corner), i = (k + 1) % 3, j = (k + 2) % 3;
-  // Exactly zero if the points are on one edge of the coarse triangle.  For two of the edges a
+  // Exactly zero if the points are on one edge of the coarse triangle. For two of the edges a
   // factor of both products is zero; for the third this must be tested.
   const auto twice_area = [=](const Barycentric& a, const Barycentric& b, const Barycentric& c)
   {
@@ -266,7 +266,7 @@ void Split_mesh::move_halfedge(Index from, Index to)
     m_arrays.twin[m_arrays.twin[to]] = to;
 }
 
-// Replaces uvw, with h = uv, by upw and a new triangle pvw.  Returns the halfedge pv, whose twin is
+// Replaces uvw, with h = uv, by upw and a new triangle pvw. Returns the halfedge pv, whose twin is
 // not yet set.
 Index Split_mesh::split_halfedge(Index h, Index p)
 {
@@ -286,7 +286,7 @@ Index Split_mesh::split_halfedge(Index h, Index p)
   return new_h;
 }
 
-// Inserts a vertex p with barycentric coordinates b into the triangle xyz = f and returns it.  The
+// Inserts a vertex p with barycentric coordinates b into the triangle xyz = f and returns it. The
 // triangle becomes xyp; yzp and zxp are new.
 Index Split_mesh::split_triangle(Index f, const Barycentric& b)
 {

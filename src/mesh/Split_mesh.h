@@ -13,25 +13,25 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns the index of the coordinate that is largest in all corners of a subtriangle.  Close to a
+// Returns the index of the coordinate that is largest in all corners of a subtriangle. Close to a
 // corner of the triangle, this coordinate is one up to round-off errors, whereas the other two have
-// small relative errors.  Areas and orientations are therefore computed from the other two.
+// small relative errors. Areas and orientations are therefore computed from the other two.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t dominant_coordinate(const std::array<std::array<double, 3>, 3>& corner);
 
 // Computes the coordinates of p with respect to a subtriangle. p and the corners of the subtriangle
-// are given in barycentric coordinates of a triangle.  If the subtriangle has no area, returns
+// are given in barycentric coordinates of a triangle. If the subtriangle has no area, returns
 // minus infinity.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::array<double, 3> subtriangle_coordinates(const std::array<std::array<double, 3>, 3>& corner,
                                               const std::array<double, 3>& p);
 
 // A copy of a mesh in which polylines are embedded as edges: edges and triangles are split at
-// inserted vertices.  A halfedge has the label of the polyline that contains it.
+// inserted vertices. A halfedge has the label of the polyline that contains it.
 class CGAL_GEODESIC_PROCESSING_EXPORT Split_mesh
 {
 public:
-  // New vertices keep this fraction of the length of an edge from its ends.  A tenth of it makes
+  // New vertices keep this fraction of the length of an edge from its ends. A tenth of it makes
   // needles of 100 to 1 near vertices that paths pass; ten times as much makes visible kinks.
   static constexpr double min_split_fraction = 0.005;
   // The label of feature edges until they get another one.
@@ -76,12 +76,12 @@ public:
   // Sets the label of a halfedge and its twin.
   void set_label(Index h, Index label);
 
-  // Inserts a vertex p on the edge uv = h of the triangles uvw and vux and returns it.  The
+  // Inserts a vertex p on the edge uv = h of the triangles uvw and vux and returns it. The
   // triangles become upw and vpx; the new triangles pvw and pux get the next two indices.
   Index split_edge(Index h, double fraction);
 
-  // Returns a vertex for a sample: a vertex close to it, or a new one.  Snapping never moves a
-  // sample onto a polyline or across it.  Each sample gets a vertex of its own.
+  // Returns a vertex for a sample: a vertex close to it, or a new one. Snapping never moves a
+  // sample onto a polyline or across it. Each sample gets a vertex of its own.
   Index insert(const Surface_location& sample);
 
 private:

@@ -17,7 +17,7 @@ namespace {
 
 // The smallest difference of the triangle inequality, as a fraction of the longest edge.
 constexpr double min_difference = 1e-15;
-// Longer edges can make adjacent triangles degenerate.  Two passes repair the parts and scans that
+// Longer edges can make adjacent triangles degenerate. Two passes repair the parts and scans that
 // have degenerate triangles; more are needed only in strips of them.
 constexpr int max_lengthening_passes = 50;
 

@@ -14,13 +14,13 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Calls visit(edge) for each edge of a triangle soup, that is, for each pair of points that
-// halfedges join in either direction.  edge is a vector of the halfedges of the edge, in increasing
-// order.  O(n) if the vertices have bounded degree.
+// halfedges join in either direction. edge is a vector of the halfedges of the edge, in increasing
+// order. O(n) if the vertices have bounded degree.
 template <typename Visitor>
 void for_each_edge_of_soup(std::size_t number_of_points, const std::vector<Index>& corners,
                            Visitor visit)
 {
-  // Sorts the halfedges into buckets by their smaller vertex.  The buckets are short.  An element
+  // Sorts the halfedges into buckets by their smaller vertex. The buckets are short. An element
   // has the larger vertex in its upper half and the halfedge in its lower half.
   const auto smaller_end = [&](Index h) { return std::min(corners[h], corners[next_halfedge(h)]); };
   const auto larger_end = [&](Index h) { return std::max(corners[h], corners[next_halfedge(h)]); };

@@ -157,7 +157,7 @@ private:
     }
   }
 
-  // Computes the turning angles and the arc lengths of the chain.  A closed chain is rotated to begin
+  // Computes the turning angles and the arc lengths of the chain. A closed chain is rotated to begin
   // at the largest angle.
   void parameterize_chain(bool is_loop)
   {

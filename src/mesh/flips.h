@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing::internal {
 class CGAL_GEODESIC_PROCESSING_EXPORT Flippable_triangles
 {
 public:
-  // triangles: counterclockwise.  Edges of more than two triangles are boundary edges.
+  // triangles: counterclockwise. Edges of more than two triangles are boundary edges.
   Flippable_triangles(std::size_t number_of_points,
                       const std::vector<std::array<Index, 3>>& triangles);
 
@@ -25,7 +25,7 @@ public:
   const std::vector<Index>& twin() const { return m_twin; }
   // Returns whether an edge joins the source of a halfedge to a point.
   bool is_adjacent(Index h, Index point) const;
-  // Returns whether an edge can be flipped without a large change of the surface.  The dihedral
+  // Returns whether an edge can be flipped without a large change of the surface. The dihedral
   // angles at the edge and at the flipped edge must be small, or one of the two triangles must be a
   // needle along the other.
   bool is_flat(const std::vector<Vec3>& points, Index h) const;
@@ -37,7 +37,7 @@ private:
 };
 
 // Flips edges as long as this increases the smallest angle of the two incident triangles (Lawson
-// 1977).  An edge is kept if the surface bends by more than 26 degrees at it before or after the
+// 1977). An edge is kept if the surface bends by more than 26 degrees at it before or after the
 // flip (except for needles), or if the flipped edge exists already.
 //
 // triangles: indices of points, counterclockwise, a manifold

@@ -90,8 +90,8 @@ Edge_flip flip(Surface_arrays& t, Index h)
   return result;
 }
 
-// Replaces a triangle abc by amc and mbc; ab is the given halfedge.  The twins of am and mb are
-// left to the caller.  Returns mb.
+// Replaces a triangle abc by amc and mbc; ab is the given halfedge. The twins of am and mb are
+// left to the caller. Returns mb.
 Index bisect(Surface_arrays& t, Index h, Index midpoint)
 {
   const Index bc = next_halfedge(h), ca = previous_halfedge(h);
@@ -153,7 +153,7 @@ std::vector<Edge_flip> flip_to_delaunay(Surface_arrays& t, double tolerance,
       stack.push_back(h);
     }
   // Terminates in exact arithmetic because each flip decreases the Dirichlet energy of the
-  // identity.  Around a vertex of high degree the number of flips is quadratic.
+  // identity. Around a vertex of high degree the number of flips is quadratic.
   const std::size_t max_flips = max_flips_per_halfedge * t.corner.size() + 1000;
   std::vector<Edge_flip> flips;
   while(!stack.empty() && flips.size() < max_flips)

@@ -10,7 +10,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Maximum number of steps.  A sample moves by one or two cells, so that walks are short.
+// Maximum number of steps. A sample moves by one or two cells, so that walks are short.
 constexpr int max_walk_steps = 1000;
 
 // Returns whether a triangle is not degenerate.
@@ -19,7 +19,7 @@ inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c)
   return norm(cross(b - a, c - a)) > 0.;
 }
 
-// Computes the barycentric coordinates of the point of a triangle that is closest to p.  Returns
+// Computes the barycentric coordinates of the point of a triangle that is closest to p. Returns
 // its squared distance, or infinity if the triangle is `none`, degenerate or not open.
 template <typename IsOpen>
 double locate_in_open_triangle(const Surface_arrays& t, Index f, const Vec3& p,
@@ -37,7 +37,7 @@ double locate_in_open_triangle(const Surface_arrays& t, Index f, const Vec3& p,
 }
 
 // Walks from triangle to triangle to a point of the surface at a local minimum of the distance to
-// p, and returns it.  The distance decreases in each step.  Returns an empty location if the walk
+// p, and returns it. The distance decreases in each step. Returns an empty location if the walk
 // reaches the boundary, a wall, or a triangle that is degenerate or not open.
 //
 // triangle: the start

@@ -108,7 +108,7 @@ void add_triangles(Mesh_arrays& result, const std::vector<Index>& corners,
     }
 }
 
-// Computes the scaled lengths of the halfedges.  Returns the maximum.  The points are not scaled:
+// Computes the scaled lengths of the halfedges. Returns the maximum. The points are not scaled:
 // differences of the caller's coordinates have smaller errors.
 double compute_lengths(Surface_arrays& t, const Frame& frame)
 {
@@ -130,7 +130,7 @@ double compute_lengths(Surface_arrays& t, const Frame& frame)
   return longest;
 }
 
-// Returns whether most lengths that are not zero would be set to min_edge_length.  Then distances
+// Returns whether most lengths that are not zero would be set to min_edge_length. Then distances
 // would be wrong.
 bool are_most_too_short(const std::vector<double>& length)
 {

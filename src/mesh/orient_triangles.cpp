@@ -10,7 +10,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Returns which triangles to flip for a consistent orientation.  If no consistent orientation
+// Returns which triangles to flip for a consistent orientation. If no consistent orientation
 // exists, splits the edges that contradict it.
 std::vector<bool> choose_flips(const std::vector<Index>& corners, std::vector<Index>& opposites,
                                Soup_report& report)
@@ -61,7 +61,7 @@ std::vector<bool> choose_flips(const std::vector<Index>& corners, std::vector<In
   return flip;
 }
 
-// Counts the fans of triangles around all points, and the points with several fans.  Returns the
+// Counts the fans of triangles around all points, and the points with several fans. Returns the
 // number of fans.
 std::size_t count_fans(std::size_t number_of_points, const std::vector<Index>& corners,
                        const std::vector<Index>& twins, Soup_report& report)
@@ -95,7 +95,7 @@ std::size_t count_fans(std::size_t number_of_points, const std::vector<Index>& c
   return number_of_fans;
 }
 
-// Counts the boundary cycles.  Returns the number of boundary halfedges.
+// Counts the boundary cycles. Returns the number of boundary halfedges.
 std::size_t count_boundary_cycles(const std::vector<Index>& twins, Soup_report& report)
 {
   std::size_t number_of_boundary_halfedges = 0;

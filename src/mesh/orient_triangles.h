@@ -12,8 +12,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Flips triangles for a consistent orientation, as few as possible in each component.  Returns the
-// twins of all halfedges.  A component in which no consistent orientation exists is split at edges.
+// Flips triangles for a consistent orientation, as few as possible in each component. Returns the
+// twins of all halfedges. A component in which no consistent orientation exists is split at edges.
 // Counts flipped triangles, split edges and components.
 //
 // corners: 3 #triangles, three different points each

@@ -46,7 +46,7 @@ struct Modified_flags
   }
 };
 
-// Moves triangles of one patch to the adjacent patch with the longest common boundary.  Returns
+// Moves triangles of one patch to the adjacent patch with the longest common boundary. Returns
 // false if there is no adjacent patch.
 bool merge_into_neighbor(const Surface_arrays& t, std::vector<Index>& patch,
                          const std::vector<Index>& triangles, Modified_flags& modified)
@@ -79,7 +79,7 @@ struct Reached_triangle
 };
 
 // Returns the triangles of a patch that are connected to the seeds, in breadth-first order, each
-// with the seed that reached it first.  All seeds must be in one patch.
+// with the seed that reached it first. All seeds must be in one patch.
 //
 // seen: #triangles, set to `visit_mark` for each result; no element may have this value before
 std::vector<Reached_triangle> reach_from_seeds(const Surface_arrays& t,
@@ -105,7 +105,7 @@ std::vector<Reached_triangle> reach_from_seeds(const Surface_arrays& t,
   return found;
 }
 
-// Merges all connected pieces of a patch except its largest into adjacent patches.  Returns whether
+// Merges all connected pieces of a patch except its largest into adjacent patches. Returns whether
 // there were any.
 bool merge_small_pieces(const Surface_arrays& t, std::vector<Index>& patch,
                         Modified_flags& modified)
@@ -139,7 +139,7 @@ bool merge_small_pieces(const Surface_arrays& t, std::vector<Index>& patch,
 }
 
 // The corners of a vertex, grouped into sectors: maximal runs of adjacent triangles of the same
-// patch.  Triangles without a patch are omitted.
+// patch. Triangles without a patch are omitted.
 struct Sectors
 {
   std::vector<std::vector<Index>> corners;
@@ -189,7 +189,7 @@ Index enclosing_patch(const Surface_arrays& t, const std::vector<Index>& patch, 
 }
 
 // Keeps the largest sector of each patch at each vertex and merges one of the others into an
-// adjacent patch.  Returns whether there were any.
+// adjacent patch. Returns whether there were any.
 bool separate_touching_sectors(const Surface_arrays& t, std::vector<Index>& patch,
                                Modified_flags& modified)
 {

@@ -45,7 +45,7 @@ double euclidean_distance(const Vec3& p, const Vec3& q)
 }
 
 // Replaces each point by the first earlier one that is within the tolerance and has not been
-// replaced itself.  Returns the replacements and counts them; see Repaired_soup.
+// replaced itself. Returns the replacements and counts them; see Repaired_soup.
 std::vector<Index> merge_points(const std::vector<Vec3>& points, double tolerance,
                                 std::size_t& number_of_merged_points)
 {

@@ -152,7 +152,7 @@ Refinement make_refinement(std::shared_ptr<const Surface_arrays> triangles)
 
 namespace {
 
-// Appends the midpoints of the split edges to `points`.  Returns the index of the midpoint of each
+// Appends the midpoints of the split edges to `points`. Returns the index of the midpoint of each
 // halfedge, or none.
 std::vector<Index> add_midpoints(const Surface_arrays& t, const std::vector<bool>& is_split,
                                  std::vector<Vec3>& points)
@@ -172,7 +172,7 @@ std::vector<Index> add_midpoints(const Surface_arrays& t, const std::vector<bool
   return midpoint;
 }
 
-// Returns the split pattern of a triangle.  If two edges are split, the remaining quadrilateral is
+// Returns the split pattern of a triangle. If two edges are split, the remaining quadrilateral is
 // divided along its shorter diagonal.
 Split_pattern split_pattern_of_triangle(const Surface_arrays& t, Index f,
                                         const std::vector<bool>& is_split)

@@ -113,7 +113,7 @@ private:
   }
 
   // Tests in floating-point arithmetic whether a plane through the shared corner separates two
-  // triangles for certain.  Its normal is the difference of the centers of the opposite edges.
+  // triangles for certain. Its normal is the difference of the centers of the opposite edges.
   // False means that the exact test must decide.
   bool are_separated(Index f, int in_f, Index g, int in_g) const
   {

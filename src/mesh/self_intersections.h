@@ -14,8 +14,8 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Finds pairs of triangles that intersect, except in vertices and edges that they share, by exact
-// predicates.  A degenerate triangle forms a pair with itself only.  Pairs are sorted and have the
-// smaller index first.  The search ends if `max_pairs` pairs are found.  O(n log n + k) for k pairs
+// predicates. A degenerate triangle forms a pair with itself only. Pairs are sorted and have the
+// smaller index first. The search ends if `max_pairs` pairs are found. O(n log n + k) for k pairs
 // of intersecting bounding boxes.
 //
 // corners: #triangles by 3, indices of points

@@ -11,8 +11,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Triangulates a polygon, which may be concave, nonplanar or self-intersecting.  Returns k - 2
-// triangles of positions in `corners`.  A quadrilateral is divided by its shorter diagonal if both
+// Triangulates a polygon, which may be concave, nonplanar or self-intersecting. Returns k - 2
+// triangles of positions in `corners`. A quadrilateral is divided by its shorter diagonal if both
 // diagonals are inside.
 //
 // corners: k >= 3 points

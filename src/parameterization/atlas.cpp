@@ -14,7 +14,7 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Divides the triangles without a patch, in components without a center, into disks with new
-// labels.  Returns the number of all patches.
+// labels. Returns the number of all patches.
 Index label_remaining_components(const Surface_arrays& t, std::vector<Index>& patch,
                                  Index number_of_patches)
 {

@@ -14,14 +14,14 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Maximum spacing of base points relative to the width of a surface with boundary.  Maps of narrow
+// Maximum spacing of base points relative to the width of a surface with boundary. Maps of narrow
 // corridors of a maze are inverted in places with 0.99, and not with 0.92 or less.
 constexpr double max_spacing_ratio = 0.85;
 // Above the round-off errors of distances, so that no vertex on a bound is missed.
 constexpr double bound_margin = 1. + 1e-9;
 
 // Returns for each sample an upper bound of the distance to its `number_of_nearest`-th nearest
-// sample, counting itself.  The bound is the distance in a graph of samples with adjacent Voronoi
+// sample, counting itself. The bound is the distance in a graph of samples with adjacent Voronoi
 // cells.
 std::vector<double> neighborhood_radii(const Surface_arrays& t, const Sampling& sampling,
                                        std::size_t number_of_nearest)
@@ -84,7 +84,7 @@ std::vector<double> neighborhood_radii(const Surface_arrays& t, const Sampling& 
 }
 
 // Returns the length of the straight line between two sources that are unfolded to both sides of an
-// edge, from their distances to its ends.  If it does not cross the edge, returns infinity.
+// edge, from their distances to its ends. If it does not cross the edge, returns infinity.
 double unfolded_distance(double edge_length, const std::array<double, 2>& from,
                          const std::array<double, 2>& to)
 {
@@ -115,7 +115,7 @@ double distance_to(const Base_points& base, Index neighbor, Index vertex)
 }
 
 // Computes the distances of base points whose fronts meet: the length of a straight line across an
-// edge of the triangles at the meeting vertex, or through this vertex.  If one of the fronts does
+// edge of the triangles at the meeting vertex, or through this vertex. If one of the fronts does
 // not cover all of these triangles, the shortest path can be elsewhere.
 void compute_pair_distances(const Surface_arrays& t, std::vector<Front_meeting>& meetings,
                             Base_points& base)
@@ -153,7 +153,7 @@ void compute_pair_distances(const Surface_arrays& t, std::vector<Front_meeting>&
 }
 
 // For all other pairs, computes the straight line across the common edge of two triangles of base
-// points, for the two triangles of smallest perimeter.  It replaces the distance if it is shorter.
+// points, for the two triangles of smallest perimeter. It replaces the distance if it is shorter.
 void complete_pair_distances(const std::vector<Front_meeting>& meetings, Base_points& base)
 {
   const std::size_t number_of_points = base.size();
@@ -242,7 +242,7 @@ void prefetch_neighbors(const Base_points& base, Index vertex)
   prefetch(&base.neighbor[end - 1]);
 }
 
-// Inserts a base point into the sorted list of the nearest ones of a vertex.  Returns whether it is
+// Inserts a base point into the sorted list of the nearest ones of a vertex. Returns whether it is
 // among them.
 bool insert_neighbor(Base_points& base, Index vertex, Index sample, double distance)
 {

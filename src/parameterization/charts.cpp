@@ -25,7 +25,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Number of base points of a chart and of neighbors of each.  They can be few, because the map is
+// Number of base points of a chart and of neighbors of each. They can be few, because the map is
 // optimized afterwards.
 constexpr std::size_t number_of_base_points = 24, number_of_neighbors = 8;
 
@@ -33,7 +33,7 @@ constexpr std::size_t number_of_base_points = 24, number_of_neighbors = 8;
 constexpr std::size_t max_vertices_for_tutte = 100;
 
 // Mean energies above which a chart is split: those of maps that scale all lengths by 2 or 1/2, and by
-// 7 or 1/7.  The latter is for charts of few vertices, whose splits are visible.  Almost closed charts
+// 7 or 1/7. The latter is for charts of few vertices, whose splits are visible. Almost closed charts
 // have no better map.
 constexpr double max_mean_energy = 8.5, max_mean_energy_of_few = 100.;
 
@@ -62,7 +62,7 @@ std::vector<Vec2> flatten_triangle(const Surface_arrays& surface)
   return image;
 }
 
-// Computes a map by geodesic locally linear embedding.  It can have inverted triangles, or be
+// Computes a map by geodesic locally linear embedding. It can have inverted triangles, or be
 // empty.
 std::vector<Vec2> lle_embedding(const Surface_arrays& surface)
 {
@@ -117,7 +117,7 @@ std::vector<Chart> split_chart(const Chart& chart, Index first, Index second)
   return result;
 }
 
-// Computes the image of a chart.  If no injective image is found, returns the pieces to flatten
+// Computes the image of a chart. If no injective image is found, returns the pieces to flatten
 // instead.
 std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
 {
@@ -153,8 +153,8 @@ std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
     std::swap(chart.image, initial_image);
   }
 
-  // Splits between two boundary edges that intersect.  Otherwise it splits between the ends of the
-  // longest extent: charts that are too distorted are long.  This also covers triangles inverted by
+  // Splits between two boundary edges that intersect. Otherwise it splits between the ends of the
+  // longest extent: charts that are too distorted are long. This also covers triangles inverted by
   // round-off errors.
   auto [first, second] = farthest_triangle_pair(surface);
   if(!is_too_distorted && number_of_flips(chart) == 0)

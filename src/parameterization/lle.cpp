@@ -21,11 +21,11 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Row = Eigen::RowVector2d;
 
-// Added to a Gram matrix, relative to its trace.  It is far above round-off errors, and a plane is
+// Added to a Gram matrix, relative to its trace. It is far above round-off errors, and a plane is
 // reproduced to within 1e-6.
 constexpr double regularization = 1e-9;
 
-// Number of steps of the rigid fit.  On scans its energy decreases by less than 1 % in the last
+// Number of steps of the rigid fit. On scans its energy decreases by less than 1 % in the last
 // step.
 constexpr std::size_t number_of_arap_steps = 30;
 
@@ -113,7 +113,7 @@ const Vec2* position_in(const Local_chart& chart, Index center, Index neighbor)
   return found == chart.neighbor.end() ? nullptr : &chart.position[found - chart.neighbor.begin()];
 }
 
-// Reflects charts so that adjacent ones have the same orientation.  Traverses a spanning tree in
+// Reflects charts so that adjacent ones have the same orientation. Traverses a spanning tree in
 // which edges of the best agreement come first.
 void orient_consistently(std::vector<Local_chart>& charts)
 {
@@ -174,8 +174,8 @@ void orient_consistently(std::vector<Local_chart>& charts)
   }
 }
 
-// Computes weights that sum to one and whose weighted mean of the points is the origin.  They
-// minimize the sum of their squares divided by `inverse_square`.  If the points are an embedding of
+// Computes weights that sum to one and whose weighted mean of the points is the origin. They
+// minimize the sum of their squares divided by `inverse_square`. If the points are an embedding of
 // a Gram matrix of rank two, these are the weights of its regularized inverse.
 std::vector<double> reconstruction_weights(const std::vector<Vec2>& position,
                                            const std::vector<double>& inverse_square,
@@ -206,7 +206,7 @@ std::vector<double> reconstruction_weights(const std::vector<Vec2>& position,
   return result;
 }
 
-// Computes the two smallest nonconstant eigenvectors of (I - W)^T (I - W).  The rows of W reproduce
+// Computes the two smallest nonconstant eigenvectors of (I - W)^T (I - W). The rows of W reproduce
 // each point from its neighbors (Roweis and Saul 2000).
 Matrix spectral_embedding(const std::vector<Local_chart>& charts)
 {
@@ -286,8 +286,8 @@ Matrix isomap_embedding(const Base_points& base)
 }
 
 // Fits positions of the base points so that the neighbors of each are a rotated copy of its chart,
-// by weighted least squares relative to the squared distances.  Rotations and positions are
-// optimized alternately (as rigid as possible, Sorkine and Alexa 2007).  Reflections are not
+// by weighted least squares relative to the squared distances. Rotations and positions are
+// optimized alternately (as rigid as possible, Sorkine and Alexa 2007). Reflections are not
 // allowed, so that folds increase the energy.
 class Arap_fit
 {
@@ -480,7 +480,7 @@ public:
   }
 
 private:
-  // Counts the base points with a positive weight.  Returns the radius of the weights: the distance
+  // Counts the base points with a positive weight. Returns the radius of the weights: the distance
   // to the next base point, unless all have the same distance.
   double choose_neighbors()
   {
@@ -517,7 +517,7 @@ private:
       m_offset[j] = m_offset[j][0] * (m_images[m_neighbor[j]] - center);
   }
 
-  // Computes positions of the base points relative to the vertex, up to a linear map.  If the Gram
+  // Computes positions of the base points relative to the vertex, up to a linear map. If the Gram
   // matrix C has rank two, these are the columns of C X for any X.  With the offsets as X no
   // eigenproblem per vertex is required, and the result is smooth.
   void compute_positions()

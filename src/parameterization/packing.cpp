@@ -19,7 +19,7 @@ namespace {
 
 using Word = std::uint64_t;
 
-// Cells of the grid along each axis.  More are used for many charts, but no more than texels.  The
+// Cells of the grid along each axis. More are used for many charts, but no more than texels. The
 // time increases with the cube of their number.
 constexpr std::size_t default_grid_size = 512;
 constexpr std::size_t cells_per_chart = 8; // along each axis, on average
@@ -88,7 +88,7 @@ Bounding_box bounding_box(const Outline& outline, const Vec2& direction)
   return result;
 }
 
-// Returns the rotation after which the bounding box has the smallest area.  One edge of the convex
+// Returns the rotation after which the bounding box has the smallest area. One edge of the convex
 // hull is parallel to an axis then.
 Vec2 min_rectangle_direction(const Outline& outline)
 {
@@ -135,7 +135,7 @@ struct Raster
   std::vector<std::uint32_t> longest_run; // longest run of each row
 };
 
-// Rasterizes an outline, given in units of cells.  Its coordinates must be at least `margin`.
+// Rasterizes an outline, given in units of cells. Its coordinates must be at least `margin`.
 Raster rasterize(const Outline& outline, double margin)
 {
   Raster result;
@@ -267,7 +267,7 @@ private:
   // Combines each bit of m_row with the bit `shift` cells to its right.
   void dilate(std::size_t shift) { merge_shifted(m_row, m_row, shift); }
 
-  // Combines `to` with `from` shifted to the left.  Cells beyond the grid are occupied.
+  // Combines `to` with `from` shifted to the left. Cells beyond the grid are occupied.
   void merge_shifted(std::vector<Word>& to, const std::vector<Word>& from, std::size_t shift) const
   {
     const std::size_t words = shift / 64, bits = shift % 64;
@@ -280,7 +280,7 @@ private:
     }
   }
 
-  // Returns the leftmost column at which a raster is free if its first row is `row`.  Bit c of
+  // Returns the leftmost column at which a raster is free if its first row is `row`. Bit c of
   // m_blocked is set if column c is not possible.
   std::optional<std::size_t> find_column(const Raster& raster, std::size_t row)
   {

@@ -10,7 +10,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The similarity transformations that put outlines into a square texture.  All have the same scale.
+// The similarity transformations that put outlines into a square texture. All have the same scale.
 struct Packing
 {
   double scale = 0.; // texels per length
@@ -34,9 +34,9 @@ void check_fits(std::size_t number_of_outlines, std::size_t texels, std::size_t 
 // The gap between two outlines is at least `gutter` texels along at least one axis, and half of it
 // to the boundary of the square.
 //
-// Outlines are inserted by decreasing size.  Each gets the lowest position, then the leftmost, at
+// Outlines are inserted by decreasing size. Each gets the lowest position, then the leftmost, at
 // which its rasterized silhouette is free, in one of four orientations along its smallest
-// rectangle.  Gaps between outlines are used, too, because all columns of a row are tested at once
+// rectangle. Gaps between outlines are used, too, because all columns of a row are tested at once
 // by bit operations.
 //
 // Throws Invalid_argument_error if the outlines do not fit at any scale.

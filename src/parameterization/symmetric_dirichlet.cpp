@@ -21,10 +21,10 @@ struct Rest_triangle
   std::array<Vec2, 3> gradient; // of the hat functions of the corners
 };
 
-// Minimum regularization of the energy.  It is active if triangles are only slightly inverted.
+// Minimum regularization of the energy. It is active if triangles are only slightly inverted.
 constexpr double min_regularization = 1e-3;
 
-// Minimum height of a triangle relative to its longest edge.  Flatter triangles get this height.
+// Minimum height of a triangle relative to its longest edge. Flatter triangles get this height.
 constexpr double min_height_ratio = 1e-7;
 
 std::vector<Rest_triangle> rest_triangles(const Surface_arrays& t)
@@ -266,7 +266,7 @@ public:
 
   const Sparse_matrix& hessian() const { return m_hessian; }
 
-  // Returns the step size at which the first triangle loses its area.  With regularization there is
+  // Returns the step size at which the first triangle loses its area. With regularization there is
   // no bound.
   double max_flip_free_step(const std::vector<Vec2>& image, const std::vector<Vec2>& step) const
   {
@@ -332,7 +332,7 @@ public:
         m_trial(image.size())
   {}
 
-  // Takes one step and returns the decrease of the energy, zero if none was found.  The
+  // Takes one step and returns the decrease of the energy, zero if none was found. The
   // regularization can change between steps.
   double step()
   {
@@ -347,7 +347,7 @@ public:
     for(std::size_t vertex = 0; vertex < m_image.size(); ++vertex)
       m_step[vertex] = {direction[2 * Eigen::Index(vertex)],
                         direction[2 * Eigen::Index(vertex) + 1]};
-    // Backtracking to the first step that decreases the energy enough.  The regularized energy is
+    // Backtracking to the first step that decreases the energy enough. The regularized energy is
     // strongly curved: shorter steps are tried as long as they decrease it more.
     double best_energy = before;
     double step_size = std::min(1., 0.9 * m_problem.max_flip_free_step(m_image, m_step));

@@ -22,7 +22,7 @@ Index next_boundary_halfedge(const Surface_arrays& t, Index h)
   return h;
 }
 
-// Maps the vertices of a boundary cycle to the unit circle.  Angles between them are in proportion
+// Maps the vertices of a boundary cycle to the unit circle. Angles between them are in proportion
 // to the lengths of the edges.
 std::vector<std::pair<Index, Vec2>> boundary_on_circle(const Surface_arrays& t,
                                                        const std::vector<Index>& loop)
@@ -111,7 +111,7 @@ void check_is_disk(const Surface_arrays& t)
 
 namespace {
 
-// Sets the image of each vertex that is not fixed to the mean of its neighbors.  Each boundary loop
+// Sets the image of each vertex that is not fixed to the mean of its neighbors. Each boundary loop
 // except the first one is filled with a vertex that is connected to all its vertices.
 void solve_for_means(const Surface_arrays& t, const std::vector<std::vector<Index>>& loops,
                      const std::vector<bool>& is_fixed, std::vector<Vec2>& image)

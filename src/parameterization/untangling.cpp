@@ -19,7 +19,7 @@ namespace {
 constexpr int ring_counts[] = {4, 8};
 constexpr std::size_t max_triangles_per_region = 1000, max_triangles = 3000;
 
-// Maximum number of Newton steps.  Regions that can be repaired need at most half of them.
+// Maximum number of Newton steps. Regions that can be repaired need at most half of them.
 constexpr std::size_t max_steps = 50;
 constexpr double energy_tolerance = 1e-4;
 
@@ -39,7 +39,7 @@ std::vector<Index> inverted_triangles(const Surface_arrays& t, const std::vector
 }
 
 // Grows triangles by rings of vertex neighbors and divides them into edge-connected regions.
-// Regions that exceed the limits are dropped.  Returns the region of each triangle, or none, and
+// Regions that exceed the limits are dropped. Returns the region of each triangle, or none, and
 // the number of regions.
 std::pair<std::vector<Index>, Index> grow_regions(const Surface_arrays& t,
                                                   std::vector<Index> triangles, int number_of_rings)
@@ -108,7 +108,7 @@ bool is_winding_once(const Surface_arrays& t, const std::vector<Vec2>& image, In
   return angle < (is_interior ? 3. * pi : std::max(2. * pi, surface_angle + pi));
 }
 
-// Repairs the image of a chart, scaled to the area of the surface.  The image is unchanged if this
+// Repairs the image of a chart, scaled to the area of the surface. The image is unchanged if this
 // fails.
 void unflip(const Surface_arrays& t, Chart& chart, std::vector<Vec2>& image, double scale)
 {

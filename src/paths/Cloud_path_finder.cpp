@@ -20,11 +20,11 @@ constexpr int max_denoising_passes = 3;
 constexpr double residual_noise = 0.05;
 
 // The maximum number of times that a path over gaps is recomputed with twice as many control
-// points.  A third time has no effect.
+// points. A third time has no effect.
 constexpr int max_refinements = 2;
 
 // In clouds of at most this number of surfels, finding the shortest graph path takes less time than
-// shortening it.  No regions are used then.
+// shortening it. No regions are used then.
 constexpr std::size_t small_cloud_size = 50000;
 
 Surfel_fit surfel_fit(Surfel_path_method method)
@@ -56,7 +56,7 @@ Path_constraint path_constraint(Surfel_path_method method)
              : Path_constraint::energy;
 }
 
-// Returns the options with the constraint that follows from the method.  Throws
+// Returns the options with the constraint that follows from the method. Throws
 // Invalid_argument_error if an option is invalid.
 Cloud_path_options validated(Cloud_path_options options)
 {
@@ -184,7 +184,7 @@ Cloud_path_finder::Cloud_path_finder(std::shared_ptr<const Fitted_cloud> cloud)
 {}
 
 // Replaces segments of a path that cross a gap or jump to another sheet by shortest graph paths.
-// Such a segment joins two surfels between which there is no short graph path.  Returns whether
+// Such a segment joins two surfels between which there is no short graph path. Returns whether
 // there are any.
 bool Cloud_path_finder::reroute_over_gaps(Shortened_path& path)
 {
@@ -219,7 +219,7 @@ bool Cloud_path_finder::reroute_over_gaps(Shortened_path& path)
   return true;
 }
 
-// Computes the graph path along a polyline, its points and its length.  Returns false if two
+// Computes the graph path along a polyline, its points and its length. Returns false if two
 // consecutive locations are not connected.
 bool Cloud_path_finder::append_initial_path(const std::vector<Tangent_location>& polyline,
                                             Cloud_path& result, std::vector<Projection>& chain)
@@ -287,7 +287,7 @@ Cloud_path Cloud_path_finder::shorten(const std::vector<Tangent_location>& polyl
     fit_curve(m_cloud->surface(), chain, initial);
     reroute_over_gaps(initial);
     result.initial_length = initial.length;
-    // If the sampling is too sparse, the fitted surfaces of adjacent surfels do not match.  Their
+    // If the sampling is too sparse, the fitted surfaces of adjacent surfels do not match. Their
     // disks overlap.
     if(result.path.length > initial.length)
     {

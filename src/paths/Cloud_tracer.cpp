@@ -12,10 +12,10 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The length of a step divided by the distance to the sixth nearest surfel.  On a torus, steps of
+// The length of a step divided by the distance to the sixth nearest surfel. On a torus, steps of
 // half or twice this length change the mean error by 5 %: the error of the fit dominates.
 constexpr double step_ratio = 0.5;
-// Seven coincident surfels have the distance zero.  The extent of the cloud is about one.
+// Seven coincident surfels have the distance zero. The extent of the cloud is about one.
 constexpr double min_step = 1e-6;
 
 Cloud_path_options tracing_options(unsigned number_of_threads)

@@ -8,11 +8,11 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Sums of the same lengths in another order differ by round-off errors.  This factor keeps the
+// Sums of the same lengths in another order differ by round-off errors. This factor keeps the
 // heuristic a lower bound.
 constexpr double round_off_factor = 1. - 1e-14;
 
-// Coarse paths zigzag between leaders and are longer than the Euclidean distance.  With a heuristic
+// Coarse paths zigzag between leaders and are longer than the Euclidean distance. With a heuristic
 // 1.1 times as large, a search visits half as many regions, and on spheres and tori the paths are
 // equally short.
 constexpr double coarse_heuristic_factor = 1.1;
@@ -21,8 +21,8 @@ constexpr double coarse_heuristic_factor = 1.1;
 constexpr std::size_t min_corridor_length = 16;
 
 // If the coarse path has more than `min_guided_length` regions, visiting the whole corridor takes
-// longer than shortening the resulting path.  The search is then guided from each region to the
-// leader that is `look_ahead` regions ahead on the coarse path.  With distances scaled by
+// longer than shortening the resulting path. The search is then guided from each region to the
+// leader that is `look_ahead` regions ahead on the coarse path. With distances scaled by
 // `guidance_factor`, it visits a third of the vertices.
 constexpr std::size_t min_guided_length = 40, look_ahead = 8;
 constexpr double guidance_factor = 1.1;
@@ -99,7 +99,7 @@ void Graph_search::set_waypoints(const std::vector<Index>& coarse_path, Index to
   for(std::size_t i = n; i-- > 0;)
     m_remaining_length[i] =
         m_remaining_length[i + look_ahead] + norm(m_waypoints[i + look_ahead] - m_waypoints[i]);
-  // A region next to several regions of the path is guided by the last of them.  Regions on the
+  // A region next to several regions of the path is guided by the last of them. Regions on the
   // path override this.
   for(Index i = 0; i < n; ++i)
     for(Index e = graph.begin[coarse_path[i]]; e < graph.begin[coarse_path[i] + 1]; ++e)
@@ -121,7 +121,7 @@ double Graph_search::heuristic(const Frontier& frontier, Index vertex) const
 }
 
 // Restricts the search to the regions of a coarse path and their neighbors, if that path is long
-// enough.  Returns false if there is no coarse path.
+// enough. Returns false if there is no coarse path.
 bool Graph_search::restrict_to_corridor(Index from, Index to)
 {
   const Proximity_graph& graph = m_regions->graph;

@@ -30,7 +30,7 @@ bool passes_between(const Vec2& p, const Vec2& q, const Vec2& right, const Vec2&
   return cross(q - p, right - p) < 0. && cross(q - p, left - p) > 0.;
 }
 
-// Unfolds the triangle of a halfedge across its edge.  Returns the position of the corner opposite
+// Unfolds the triangle of a halfedge across its edge. Returns the position of the corner opposite
 // to the halfedge.
 //
 // left, right  positions of the edge's endpoints, seen from the adjacent triangle
@@ -57,7 +57,7 @@ const Path_finder::Shortcuts& Path_finder::shortcuts(Index corner)
   if(twin == none)
     return shortcuts;
 
-  // The opposite edge lies on the first axis.  Its left endpoint, seen from the corner, is the
+  // The opposite edge lies on the first axis. Its left endpoint, seen from the corner, is the
   // origin.
   const double base = t.length[h];
   const Vec2 left = {0., 0.}, right = {base, 0.};
@@ -118,8 +118,8 @@ void Path_finder::for_each_step(Index vertex, Function f)
   }
 }
 
-// Returns the links of a location.  A vertex is linked to itself.  Any other location is linked to
-// the corners of its triangles.  It is also linked across each of their edges to the opposite
+// Returns the links of a location. A vertex is linked to itself. Any other location is linked to
+// the corners of its triangles. It is also linked across each of their edges to the opposite
 // vertex, if the segment stays in both triangles.
 std::vector<Path_finder::Link> Path_finder::links(const Surface_location& location) const
 {
@@ -235,7 +235,7 @@ void Path_finder::add_landmarks(unsigned number_of_landmarks)
   const std::size_t n = m_vertices.size();
   if(n == 0 || number_of_landmarks == 0)
     return;
-  // Each landmark is the vertex farthest from all previous ones.  The first is farthest from vertex
+  // Each landmark is the vertex farthest from all previous ones. The first is farthest from vertex
   // 0.
   std::vector<double> distance_to_nearest(n, infinity), distance;
   const std::size_t old_number = m_number_of_landmarks,

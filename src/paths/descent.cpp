@@ -178,9 +178,9 @@ struct Descent::Tracer
       path.locations.push_back(next);
   }
 
-  // Ends the path at the closest source in a triangle of the current location.  If
+  // Ends the path at the closest source in a triangle of the current location. If
   // `must_match_value`, the path ends only if the distance to the source is at most the value of
-  // the field.  Returns whether the path has ended.
+  // the field. Returns whether the path has ended.
   bool try_finish(bool must_match_value)
   {
     double best_distance = infinity;
@@ -211,7 +211,7 @@ struct Descent::Tracer
       }
     };
     for_each_incident_triangle(t, current, try_triangle);
-    // Interpolated distances exceed exact ones.  The tolerance is for approximate fields.
+    // Interpolated distances exceed exact ones. The tolerance is for approximate fields.
     if(source == none || (must_match_value && !(best_distance <= value * (1. + 1e-6))))
       return false;
     end = canonical(t, end);
@@ -317,7 +317,7 @@ struct Descent::Tracer
   }
 
   // Moves along the shortest path of edges to a vertex with a smaller value, or to one with a
-  // source in an incident triangle.  Returns false if there is no such vertex.
+  // source in an incident triangle. Returns false if there is no such vertex.
   bool escape_local_minimum()
   {
     Edge_search search;
@@ -375,7 +375,7 @@ struct Descent::Tracer
     return start_vertex;
   }
 
-  // Traces the path.  Returns whether it reaches a source.
+  // Traces the path. Returns whether it reaches a source.
   bool run(const Surface_location& from)
   {
     move_to(from);
@@ -386,7 +386,7 @@ struct Descent::Tracer
         return try_finish(false);
       move_to(vertex_location(t, start_vertex));
     }
-    // The decrease of a step across a triangle has no positive lower bound.  After more steps than
+    // The decrease of a step across a triangle has no positive lower bound. After more steps than
     // the mesh has halfedges, only steps to vertices are made, which guarantees termination.
     for(std::size_t number_of_steps = 0;; ++number_of_steps)
     {

@@ -23,20 +23,20 @@ struct Descent_path
 class CGAL_GEODESIC_PROCESSING_EXPORT Descent
 {
 public:
-  // Keeps a reference to the triangles.  Takes O(n log n) time for n triangles that contain a
-  // source location.  Throws Unsupported_surface_error on a cloud.
+  // Keeps a reference to the triangles. Takes O(n log n) time for n triangles that contain a
+  // source location. Throws Unsupported_surface_error on a cloud.
   Descent(const Surface_arrays& triangles, const std::vector<Front_source>& sources);
 
   // Returns the path of steepest descent of the linearly interpolated field.
   //
-  // Each step decreases the field, so that the path has no cycles.  From a local minimum without a
-  // source, the path continues along edges to the nearest vertex with a smaller value.  The path
-  // ends if a source in the same triangle is at most as far as the field's value.  It also ends at
-  // a local minimum in a triangle that contains a source.  If the value at `from` is infinite, the
+  // Each step decreases the field, so that the path has no cycles. From a local minimum without a
+  // source, the path continues along edges to the nearest vertex with a smaller value. The path
+  // ends if a source in the same triangle is at most as far as the field's value. It also ends at
+  // a local minimum in a triangle that contains a source. If the value at `from` is infinite, the
   // path starts with the closest corner at which it is finite.
   //
   // distance  returns the distance of a vertex in the scale of the surface arrays; infinite if no
-  //           source reaches it.  The distances may be approximate.
+  //           source reaches it. The distances may be approximate.
   Descent_path operator()(const Surface_location& from,
                           const std::function<double(Index)>& distance) const;
 

@@ -17,7 +17,7 @@ double cosine_between(const Vec3& p, const Vec3& q)
   return size > 0. ? dot(p, q) / size : 1.;
 }
 
-// Returns the length of a circular arc over a chord from the sine of half its central angle.  Below
+// Returns the length of a circular arc over a chord from the sine of half its central angle. Below
 // 1e-4 the series of asin(x) / x is exact to round-off errors.
 double arc_length_over_chord(double chord, double sine)
 {
@@ -31,7 +31,7 @@ constexpr double corner_cosine = 0.86602540378443865;
 constexpr double sharp_edge_cosine = 0.76604444311897804;
 
 // Computes the shortest path between two points across the line of intersection of their tangent
-// planes.  Sets the point on that line and the length of the path.  Returns false if the points are
+// planes. Sets the point on that line and the length of the path. Returns false if the points are
 // not separated by a sharp edge.
 bool find_sharp_edge(const Projection& from, const Projection& to, Vec3& point, double& length)
 {

@@ -187,7 +187,7 @@ private:
     evaluate_energy(state);
   }
 
-  // Decreases the energy along a direction.  Returns false if no trial step does.  The first trial
+  // Decreases the energy along a direction. Returns false if no trial step does. The first trial
   // is the full step: on a plane, the preconditioner is the exact Hessian.
   bool line_search(const std::vector<Vec3>& direction, double slope)
   {
@@ -218,9 +218,9 @@ private:
     return false;
   }
 
-  // Moves one projected node after another to the minimum between its neighbors.  Returns false if
-  // the energy does not decrease.  Projections are discontinuous at sharp edges and at inconsistent
-  // surfels.  There, one node can make every common step fail, although most nodes could move.
+  // Moves one projected node after another to the minimum between its neighbors. Returns false if
+  // the energy does not decrease. Projections are discontinuous at sharp edges and at inconsistent
+  // surfels. There, one node can make every common step fail, although most nodes could move.
   bool gauss_seidel_sweep()
   {
     if(m_options.constraint == Path_constraint::energy)
@@ -292,7 +292,7 @@ std::vector<double> cumulative_lengths(const std::vector<Projection>& chain)
   return cumulative_length;
 }
 
-// Returns evenly spaced points of a polyline, projected to the surface.  The endpoints are kept.
+// Returns evenly spaced points of a polyline, projected to the surface. The endpoints are kept.
 std::vector<Projection> resample(const Path_surface& surface, const std::vector<Projection>& chain,
                                  std::size_t number_of_nodes)
 {
@@ -342,7 +342,7 @@ constexpr double coarse_level_tolerance = 1e-6;
 constexpr int max_segment_refinements = 4;
 
 // Halves the segments whose midpoint is farther from the surface, or from its boundary, than a
-// twentieth of the segment's length.  Returns false if there are no such segments.
+// twentieth of the segment's length. Returns false if there are no such segments.
 bool refine_segments(const Path_surface& surface, std::vector<double>& relative_length,
                      std::vector<Projection>& path)
 {
@@ -439,7 +439,7 @@ void fit_curve(const Path_surface& surface, const std::vector<Projection>& nodes
 namespace {
 
 // A surface given by its squared distance function, whose gradient at p is 2 (p - q) for the
-// closest point q.  The gradient is computed by central differences.
+// closest point q. The gradient is computed by central differences.
 class Squared_distance_surface : public Path_surface
 {
 public:
@@ -490,7 +490,7 @@ Shortened_path shorten_path(const std::function<double(const Vec3&)>& squared_di
       throw Invalid_argument_error("A point of the polyline is not finite.");
   }
   options.constraint = Path_constraint::energy;
-  // The step of the differences is a hundredth of a segment.  On a plane, only round-off errors
+  // The step of the differences is a hundredth of a segment. On a plane, only round-off errors
   // remain; on a curved surface, the error is below a hundredth of the sagitta.
   const Squared_distance_surface surface(
       squared_distance, 0.01 * length / double(options.number_of_control_points + 1));
@@ -511,7 +511,7 @@ Shortened_path shorten_path(const Path_surface& surface, const Path_options& opt
   if(options.min_spacing > 0.)
     max_nodes = std::min<std::size_t>(max_nodes,
                                       std::size_t(std::min(length / options.min_spacing, 1e9)) + 9);
-  // Each level has half of the segments of the next.  The coarsest level must still approximate
+  // Each level has half of the segments of the next. The coarsest level must still approximate
   // the chain to a tenth of its spacing.
   std::size_t number_of_nodes = max_nodes;
   while(number_of_nodes > 16 && relative_deviation(chain, (number_of_nodes + 1) / 2) < 0.1)

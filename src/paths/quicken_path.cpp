@@ -215,7 +215,7 @@ Path without_superfluous(const Surface_arrays& t, const std::vector<double>& slo
 }
 
 // Returns the location moved along its edge by a fraction of the edge, almost to the edge's ends;
-// the location itself if it is not on an edge.  At an end it could not move any more.
+// the location itself if it is not on an edge. At an end it could not move any more.
 Surface_location moved(const Surface_location& location, double step)
 {
   constexpr double min_fraction = 1e-9;
@@ -231,7 +231,7 @@ Surface_location moved(const Surface_location& location, double step)
 
 // Moves the inner locations along their edges to positions at which the path is faster.
 //
-// The time is a convex function of the positions.  Therefore steps that become smaller lead to its
+// The time is a convex function of the positions. Therefore steps that become smaller lead to its
 // minimum.
 Path with_moved_crossings(const Surface_arrays& t, const std::vector<double>& slowness, Path path)
 {

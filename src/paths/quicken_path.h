@@ -9,8 +9,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns the sum of length times slowness along a path on a mesh.  A segment on an edge has the
-// smaller slowness of the adjacent triangles.  Consecutive locations must be canonical and in a
+// Returns the sum of length times slowness along a path on a mesh. A segment on an edge has the
+// smaller slowness of the adjacent triangles. Consecutive locations must be canonical and in a
 // common triangle.
 //
 // slowness  #triangles
@@ -18,17 +18,17 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 double travel_time(const Surface_arrays& triangles, const std::vector<double>& slowness,
                    const std::vector<Surface_location>& path);
 
-// Reduces the travel time of a path on a mesh whose slowness differs.  The endpoints remain.
+// Reduces the travel time of a path on a mesh whose slowness differs. The endpoints remain.
 //
 // path  canonical locations; consecutive ones are distinct and in a common triangle
 //
-// The result is not slower than the path.  Its locations are on edges or at vertices, and no
+// The result is not slower than the path. Its locations are on edges or at vertices, and no
 // obstacle is crossed if a path in the neighborhood avoids it.
 //
 // Algorithm: Each edge of the triangles that share a vertex with a triangle of the path gets
-// points at equal distances (Lanthier, Maheshwari and Sack 1997).  Dijkstra's algorithm on these
-// points and the vertices yields a path, which replaces the path if it is faster.  This is repeated
-// until no time is saved.  Then the points move along their edges, by dynamic programming over a few
+// points at equal distances (Lanthier, Maheshwari and Sack 1997). Dijkstra's algorithm on these
+// points and the vertices yields a path, which replaces the path if it is faster. This is repeated
+// until no time is saved. Then the points move along their edges, by dynamic programming over a few
 // positions of each, with steps that become smaller.
 //
 // Complexity: O(m log m) time for each repetition if m triangles are near the path.

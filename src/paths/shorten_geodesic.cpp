@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Angles that differ from pi by less than this are treated as pi.  Cutting such a corner with legs
+// Angles that differ from pi by less than this are treated as pi. Cutting such a corner with legs
 // a and b shortens the path by less than 1e-18 (a + b).
 constexpr double angle_tolerance = 1e-9;
 
@@ -26,11 +26,11 @@ struct Path_vertex
   Index vertex = none;
   Index previous = none, next = none;
 
-  // The strip to the next path vertex.  Its edges contain neither of the two.
+  // The strip to the next path vertex. Its edges contain neither of the two.
   Strip strip;
   double length = 0.;
 
-  // At a vertex: the directions to the next and to the previous path vertex.  Each is given by the
+  // At a vertex: the directions to the next and to the previous path vertex. Each is given by the
   // corner of its triangle and the angle from that corner's halfedge.
   Index corner_out = none, corner_in = none;
   double angle_out = 0., angle_in = 0.;
@@ -120,7 +120,7 @@ void Geodesic_shortener::update_length_and_angles(Index index)
           std::clamp(angle_between(u.last_leg, -1. * u.end), 0., interior_angle(t, to.corner_in));
     return;
   }
-  // The segment lies in one triangle.  Along an edge, the angles are zero or the triangle's own
+  // The segment lies in one triangle. Along an edge, the angles are zero or the triangle's own
   // angles, without round-off errors.
   const auto corners = unfolded(t, strip.triangle);
   const auto angle_at = [&](Index corner, Index other_corner, const Vec2& direction)
@@ -204,8 +204,8 @@ void Geodesic_shortener::compute_angles(Index index, double& left, double& right
 }
 
 // Extends a strip that ends at path vertex `first` such that it passes the path vertices from
-// `first` to `last` and ends with the strip of `last`.  It passes them on the side with the smaller
-// total angle.  Returns false if both angles are at least pi.  The path vertices are at the same
+// `first` to `last` and ends with the strip of `last`. It passes them on the side with the smaller
+// total angle. Returns false if both angles are at least pi. The path vertices are at the same
 // point in space and are treated as one: pi is subtracted for each connection between two of them.
 bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) const
 {
@@ -243,13 +243,13 @@ bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) c
   }
 }
 
-// Replaces the path between two path vertices by the shortest path in a strip.  Returns its length.
+// Replaces the path between two path vertices by the shortest path in a strip. Returns its length.
 double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index last)
 {
   strip.trim(t, m_path_vertices[first].location, m_path_vertices[last].location);
   unfold(strip, m_path_vertices[first].location, m_path_vertices[last].location);
 
-  // The current bend is incident to the edges begin, ..., end - 1 of the strip.  The path vertices
+  // The current bend is incident to the edges begin, ..., end - 1 of the strip. The path vertices
   // `first` and `last` are incident to no edge.
   const auto& halfedges = strip.halfedges;
   std::size_t begin = 0, end = 0;
@@ -382,7 +382,7 @@ void Geodesic_shortener::initialize(const std::vector<Surface_location>& input)
 }
 
 // Reroutes the path around all touched vertices with an angle below pi at once, so that strips
-// become long.  Returns false if there is no such vertex.
+// become long. Returns false if there is no such vertex.
 bool Geodesic_shortener::shorten_globally()
 {
   bool is_changed = false;
@@ -410,8 +410,8 @@ bool Geodesic_shortener::shorten_globally()
   return is_changed;
 }
 
-// Reroutes the path around the path vertices between two others.  Extends the range until it holds
-// all path vertices at the same points.  Returns false, and leaves the path as it is, if this does
+// Reroutes the path around the path vertices between two others. Extends the range until it holds
+// all path vertices at the same points. Returns false, and leaves the path as it is, if this does
 // not shorten it.
 bool Geodesic_shortener::shorten_around(Index& first, Index& last)
 {
@@ -468,7 +468,7 @@ void Geodesic_shortener::shorten_locally()
     size += m_path_vertices[path_vertex].strip.halfedges.size() + 1;
     enqueue(path_vertex);
   }
-  // Each rerouting shortens the path, so that the loop terminates.  The limit is for surfaces on
+  // Each rerouting shortens the path, so that the loop terminates. The limit is for surfaces on
   // which each shortens it by almost nothing.
   const std::size_t work_limit = m_number_of_visited_halfedges + 10000000 + 1000 * size;
   while(!queue.empty() && m_number_of_visited_halfedges < work_limit)
@@ -538,7 +538,7 @@ Locally_shortest_path Geodesic_shortener::operator()(const std::vector<Surface_l
   initialize(path);
   if(m_end != none)
   {
-    // Global steps are cheaper while most touched vertices are rerouted.  Local steps are cheaper
+    // Global steps are cheaper while most touched vertices are rerouted. Local steps are cheaper
     // for the last ones.
     for(int i = 0; i < 8 && shorten_globally(); ++i)
       ;

@@ -193,7 +193,7 @@ private:
   }
 
   // Reroutes the strip around the first vertex whose outer angle is below pi (Xin and Wang 2007).
-  // Because of the margins, the path may become longer; the rerouting is then undone.  Returns
+  // Because of the margins, the path may become longer; the rerouting is then undone. Returns
   // false if there is no vertex to try.
   bool reroute_around_vertex()
   {
@@ -229,7 +229,7 @@ private:
     return false;
   }
 
-  // Replaces the edges incident to a vertex by those on the other side of the vertex.  Returns
+  // Replaces the edges incident to a vertex by those on the other side of the vertex. Returns
   // false if these reach the boundary.
   bool reroute(std::size_t strip_index, bool is_left, Index vertex)
   {

@@ -16,18 +16,18 @@ struct Strip_path
   std::vector<double> fractions; // #halfedges: the crossing points, from source to target
 };
 
-// Shortens a path between two vertices.  The path keeps away from the endpoints of the edges that
-// it crosses, by Split_mesh::min_split_fraction times the edge's length.  Unlike
+// Shortens a path between two vertices. The path keeps away from the endpoints of the edges that
+// it crosses, by Split_mesh::min_split_fraction times the edge's length. Unlike
 // shorten_geodesic(), it touches no vertex.
 //
-// The shortest path in the strip is computed by the funnel algorithm (Lee and Preparata 1984).  The
+// The shortest path in the strip is computed by the funnel algorithm (Lee and Preparata 1984). The
 // strip is rerouted around the other side of a vertex while that shortens the path (Xin and Wang
 // 2007).
 //
 // is_barred  #vertices: whether the strip must not be rerouted around a vertex
 // halfedges  the edges that the initial path crosses; loops are removed
 //
-// Complexity: the length of the strip times the number of reroutings.  In strips of thousands of
+// Complexity: the length of the strip times the number of reroutings. In strips of thousands of
 // edges, the number of reroutings is limited.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Strip_path shorten_in_strip(const Split_mesh& mesh, const std::vector<bool>& is_barred, Index from,

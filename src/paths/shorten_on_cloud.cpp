@@ -29,7 +29,7 @@ struct Patch
   std::unordered_map<Index, Index> patch_vertex, patch_face; // the inverse maps
 };
 
-// Returns the triangles whose corners are all in the k-ring of a path.  Triangles that contain a
+// Returns the triangles whose corners are all in the k-ring of a path. Triangles that contain a
 // location of the path come first, then all others by decreasing weight.
 std::vector<Index> collect_triangles_near(const Surface_arrays& cloud,
                                           const std::vector<Surface_location>& path)
@@ -78,7 +78,7 @@ std::vector<Index> collect_triangles_near(const Surface_arrays& cloud,
   return result;
 }
 
-// Builds a patch from triangles near a path.  A triangle is added if its halfedges are not yet
+// Builds a patch from triangles near a path. A triangle is added if its halfedges are not yet
 // used.
 Patch build_patch(const Surface_arrays& cloud, const std::vector<Surface_location>& path)
 {
@@ -118,7 +118,7 @@ Patch build_patch(const Surface_arrays& cloud, const std::vector<Surface_locatio
   return patch;
 }
 
-// Converts a location on the cloud to one on the patch.  Returns false if the patch does not
+// Converts a location on the cloud to one on the patch. Returns false if the patch does not
 // contain its vertex or triangle.
 bool locate_on_patch(const Patch& patch, const Surface_arrays& cloud,
                      const Surface_location& location, Surface_location& result)
@@ -151,7 +151,7 @@ std::vector<Surface_location> shorten_on_cloud(const Surface_arrays& cloud,
     return path;
   double length = polyline_length(cloud, path);
 
-  // In each iteration, the path can move by the width of the patch.  Eight iterations suffice for a
+  // In each iteration, the path can move by the width of the patch. Eight iterations suffice for a
   // path that starts as a shortest path of graph edges.
   for(int i = 0; i < 8; ++i)
   {

@@ -18,25 +18,25 @@ constexpr double smooth_step_cosine = 0.96592582628906829 /* 15 degrees */,
                  sharp_step_cosine = 0.76604444311897804 /* 40 degrees */;
 constexpr int max_halvings = 3;
 
-// Normals that differ by more than this angle have opposite orientations.  Adjacent surfels differ
+// Normals that differ by more than this angle have opposite orientations. Adjacent surfels differ
 // by at most 100 degrees.
 constexpr double opposite_normal_cosine = -0.5;
 
-// Each iteration reduces the error of the collocation by a factor of order h.  The predictor has an
+// Each iteration reduces the error of the collocation by a factor of order h. The predictor has an
 // error of order h^3.
 constexpr int number_of_collocation_iterations = 2;
 
 // A point of the collocation is off the surface if its projection displaces it along the tangent
-// plane by more than this fraction of the step.  On smooth surfaces the displacement is of order
+// plane by more than this fraction of the step. On smooth surfaces the displacement is of order
 // h^5.
 constexpr double tangential_displacement_ratio = 0.1;
-// The same for steps over holes and bad fits.  At the boundary the ratio is one, unless the path is
+// The same for steps over holes and bad fits. At the boundary the ratio is one, unless the path is
 // nearly parallel to it.
 constexpr double max_displacement_ratio = 0.5;
 
-// The lengths of steps over a hole or a bad fit, relative to the maximum length of a step.  On
+// The lengths of steps over a hole or a bad fit, relative to the maximum length of a step. On
 // random samples of a sphere, 10 % of the paths of length 30 end in front of a hole with ratios up
-// to 2, and 1 % with ratios up to 4.  The walk to the nearest surfel excludes gaps that no edge of
+// to 2, and 1 % with ratios up to 4. The walk to the nearest surfel excludes gaps that no edge of
 // the graph crosses.
 constexpr double hole_step_ratios[] = {0.5, 1., 1.5, 2., 2.5, 3., 4.};
 
@@ -56,8 +56,8 @@ struct Curve_step
   bool is_on_surface = false;
 };
 
-// Returns the parallel transport of a tangent from one normal to another.  `integral` is any
-// multiple of the integral of the normals between them.  If it is their sum, the rotation is the
+// Returns the parallel transport of a tangent from one normal to another. `integral` is any
+// multiple of the integral of the normals between them. If it is their sum, the rotation is the
 // smallest one.
 Vec3 parallel_transport(const Vec3& tangent, const Vec3& from_normal, const Vec3& to_normal,
                         const Vec3& integral)
@@ -101,7 +101,7 @@ public:
     }
   }
 
-  // Advances over a hole or a bad fit, by the trapezoidal rule.  It needs no point in the middle.
+  // Advances over a hole or a bad fit, by the trapezoidal rule. It needs no point in the middle.
   Curve_step cross_hole(const Curve_state& from, double length) const
   {
     Vec3 query = from.at.point + length * from.tangent;
@@ -225,7 +225,7 @@ void correct_length(const Step_of& step_of, double parameter, double length, Cur
   }
 }
 
-// Returns a step over a hole of the surface or a bad fit.  If there is none, the result is not on
+// Returns a step over a hole of the surface or a bad fit. If there is none, the result is not on
 // the surface.
 Curve_step step_over_hole(const Curve_tracer& tracer, const Curve_state& from, double length,
                           double max_length)

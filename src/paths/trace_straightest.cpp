@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // A path that crosses an edge closer to an endpoint than this fraction of its length hits the
-// vertex.  Otherwise, on regular grids, round-off errors would decide on which side it passes.
+// vertex. Otherwise, on regular grids, round-off errors would decide on which side it passes.
 constexpr double hit_tolerance = 1e-12;
 
 // Adds a multiple of 2 pi to an angle such that it is closest to the bisector of a corner.
@@ -170,7 +170,7 @@ private:
     add(m_triangle, canonical(t, end).barycentric);
   }
 
-  // Enters the adjacent triangle at a fraction of an edge.  Ends the path if it is on the boundary.
+  // Enters the adjacent triangle at a fraction of an edge. Ends the path if it is on the boundary.
   void cross_edge(Index h, double fraction)
   {
     const Index twin = t.twin[h];
@@ -236,7 +236,7 @@ private:
   void pass_vertex(Index corner)
   {
     add(m_triangle, barycentric_at_corner(corner));
-    // The backward direction, counterclockwise from the corner's halfedge.  It can point out of
+    // The backward direction, counterclockwise from the corner's halfedge. It can point out of
     // this triangle if the path entered close to the corner.
     const double full_angle = interior_angle(t, corner);
     const Vec2 edge = edge_vector(corner), back = -1. * m_direction;
@@ -295,7 +295,7 @@ private:
   Straightest_path m_path;
   double m_remaining_length;
   // The path ends in a triangle if the remaining length exceeds the distance to the exit by at most
-  // this.  A path that reaches the boundary with such a remainder has its full length.
+  // this. A path that reaches the boundary with such a remainder has its full length.
   const double m_length_tolerance;
 
   Index m_triangle;

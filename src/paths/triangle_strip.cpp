@@ -22,7 +22,7 @@ bool is_incident(const Surface_arrays& t, Index h, Index vertex, Index location_
   return location_halfedge != none && (h == location_halfedge || t.twin[h] == location_halfedge);
 }
 
-// Returns the direction of an edge.  An edge of length zero is treated as the limit of short ones.
+// Returns the direction of an edge. An edge of length zero is treated as the limit of short ones.
 //
 // across       the edge, from its left to its right endpoint
 // forward      the vector to the edge from the opposite corner
@@ -121,7 +121,7 @@ void Unfolded_strip::unfold(const Surface_arrays& t, const Strip& strip,
 void Funnel::add(Chain& chain, Chain& opposite, double sign, const Vec2& point, double width,
                  Bend bend)
 {
-  // A hundred times the round-off error of the farthest position.  Points closer to each other than
+  // A hundred times the round-off error of the farthest position. Points closer to each other than
   // this are treated as one.
   const double tolerance = 2e-14 * (norm(point) + width);
   while(chain.points.size() > chain.apex + 1)

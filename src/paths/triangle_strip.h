@@ -24,7 +24,7 @@ struct Strip
   {
     return halfedges.empty() ? triangle : t.twin[halfedges.back()] / 3;
   }
-  // Crosses one more edge.  If it is the edge crossed last, that crossing is removed instead.
+  // Crosses one more edge. If it is the edge crossed last, that crossing is removed instead.
   void append(const Surface_arrays& t, Index h)
   {
     if(!halfedges.empty() && t.twin[halfedges.back()] == h)
@@ -47,7 +47,7 @@ struct Unfolded_strip
   // from the corner opposite to the last edge to that edge's left end.
   Vec2 first_leg, last_leg;
 
-  // Unfolds a strip from a location in its first triangle to a location in its last one.  Linear in
+  // Unfolds a strip from a location in its first triangle to a location in its last one. Linear in
   // the number of triangles.
   CGAL_GEODESIC_PROCESSING_EXPORT
   void unfold(const Surface_arrays& t, const Strip& strip, const Surface_location& begin,
@@ -66,8 +66,8 @@ class Funnel
 {
 public:
   // Returns the vertices, in order, at which the shortest path in an unfolded strip bends.
-  // Vertices that touch the path up to round-off errors are included.  By their angles, the caller
-  // decides on which side of them the path is shorter.  The result is valid until the next call.
+  // Vertices that touch the path up to round-off errors are included. By their angles, the caller
+  // decides on which side of them the path is shorter. The result is valid until the next call.
   // Linear in the length of the strip.
   CGAL_GEODESIC_PROCESSING_EXPORT
   const std::vector<Bend>& find_bends(const Surface_arrays& t, const Strip& strip,
@@ -79,7 +79,7 @@ private:
     Vec2 position;
     Bend bend;
   };
-  // One side of the funnel.  Points before the apex are obsolete.
+  // One side of the funnel. Points before the apex are obsolete.
   struct Chain
   {
     std::vector<Point> points;

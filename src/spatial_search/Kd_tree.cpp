@@ -38,7 +38,7 @@ public:
                    });
   }
 
-  // Splits all nodes.  Threads process the nodes of one upper level in parallel, then whole
+  // Splits all nodes. Threads process the nodes of one upper level in parallel, then whole
   // subtrees.
   void split_all()
   {
@@ -148,7 +148,7 @@ void Kd_tree::scale(double factor)
 }
 
 // Calls visit(begin, end) for the leaves within the squared distance `bound`, approximately in the
-// order of their distances.  `visit` can reduce `bound` through another reference.
+// order of their distances. `visit` can reduce `bound` through another reference.
 template <typename Visit>
 void Kd_tree::visit_leaves(const Point& query, const double& bound, Visit&& visit) const
 {

@@ -143,7 +143,7 @@ Leaf_neighbors::Leaf_neighbors(const std::vector<Kd_tree::Point>& points, const 
     : m_points(points), m_tree(tree), m_size(std::min(k, tree.size()))
 {}
 
-// Keeps the gathered points within a squared distance of a point.  Ranks them by distance, unless
+// Keeps the gathered points within a squared distance of a point. Ranks them by distance, unless
 // there are more than `max_candidates`.
 std::size_t Leaf_neighbors::filter_and_rank(Index point, double bound, std::int64_t* rank)
 {
@@ -159,7 +159,7 @@ std::size_t Leaf_neighbors::filter_and_rank(Index point, double bound, std::int6
 }
 
 // Gathers all points that can be neighbors of points first .. last - 1, and sets `bound` to an
-// upper bound of the squared distance of the last neighbor of each.  Returns false if the points
+// upper bound of the squared distance of the last neighbor of each. Returns false if the points
 // are too many.
 bool Leaf_neighbors::gather(Index first, Index last, double* bound, std::int64_t* rank)
 {
@@ -190,7 +190,7 @@ bool Leaf_neighbors::gather(Index first, Index last, double* bound, std::int64_t
   return is_complete;
 }
 
-// Writes the neighbors of a point by a query of the tree.  `previous`, if not null, is the row of
+// Writes the neighbors of a point by a query of the tree. `previous`, if not null, is the row of
 // another point: the same size() points bound the distance of the last neighbor.
 void Leaf_neighbors::find_in_tree(Index point, const Neighbor* previous, Neighbor* row)
 {

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t even_probability = 1u << 15;
 constexpr std::uint16_t window_size = 60; // number of bits of the running mean
 
-// Returns the last number of the lower part of the interval.  Both parts are nonempty.
+// Returns the last number of the lower part of the interval. Both parts are nonempty.
 std::uint32_t split_interval(std::uint32_t low, std::uint32_t high, std::uint32_t probability)
 {
   return low + std::uint32_t((std::uint64_t(high - low) * probability) >> 16);

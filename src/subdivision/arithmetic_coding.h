@@ -11,8 +11,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// An adaptive estimate of the probability of a bit in one context.  It is the mean of the previous
-// bits, and from the 60th bit on an exponentially weighted mean.  Uses integers, so that it is the
+// An adaptive estimate of the probability of a bit in one context. It is the mean of the previous
+// bits, and from the 60th bit on an exponentially weighted mean. Uses integers, so that it is the
 // same on all machines.
 struct Bit_model
 {
@@ -29,7 +29,7 @@ public:
   void put(bool bit, Bit_model& model);
   void put(bool bit); // with probability 1/2
 
-  // Returns all bytes.  The encoder cannot be used afterwards.
+  // Returns all bytes. The encoder cannot be used afterwards.
   std::vector<std::uint8_t> finish();
 
 private:
@@ -39,7 +39,7 @@ private:
   std::vector<std::uint8_t> m_bytes;
 };
 
-// The decoder.  From a prefix of the bytes, it decodes exactly the bits that are the same for all
+// The decoder. From a prefix of the bytes, it decodes exactly the bits that are the same for all
 // continuations.
 class CGAL_GEODESIC_PROCESSING_EXPORT Bit_decoder
 {
@@ -50,7 +50,7 @@ public:
   bool get(Bit_model& model);
   bool get();
 
-  // Returns true if a requested bit was not determined by the bytes.  This bit and all later ones
+  // Returns true if a requested bit was not determined by the bytes. This bit and all later ones
   // are returned as false.
   bool is_exhausted() const { return m_is_exhausted; }
 

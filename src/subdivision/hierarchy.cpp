@@ -97,7 +97,7 @@ private:
     return size;
   }
 
-  // Returns the sum of the indices of the corners.  It breaks ties between several tilings.
+  // Returns the sum of the indices of the corners. It breaks ties between several tilings.
   static std::uint64_t corner_sum(const std::vector<Tile>& tiles)
   {
     std::uint64_t result = 0;
@@ -107,7 +107,7 @@ private:
     return result;
   }
 
-  // Assigns a triangle to a tile.  Returns false if it already belongs to a tile.
+  // Assigns a triangle to a tile. Returns false if it already belongs to a tile.
   bool claim(Index face, Index middle)
   {
     if(m_tile_of_face[face] != none)
@@ -117,7 +117,7 @@ private:
     return true;
   }
 
-  // Assigns a role to a vertex.  Returns false if it already has the other role.
+  // Assigns a role to a vertex. Returns false if it already has the other role.
   bool claim(Index vertex, Role role)
   {
     if(m_role[vertex] == Role::unknown)

@@ -116,7 +116,7 @@ private:
     add_weight(edge_vertices(m_level, next_boundary)[1], -1. / 16.);
   }
 
-  // Adds the three butterfly vertices in the direction of the triangle of h.  If a wing does not
+  // Adds the three butterfly vertices in the direction of the triangle of h. If a wing does not
   // exist, it is replaced by the reflection of the opposite corner across the midpoint of its edge,
   // so that linear functions are still reproduced.
   void add_butterfly_wings(Index h)
@@ -134,7 +134,7 @@ private:
   }
 
   // Adds the stencil of an extraordinary vertex, the source of h, and its ring (Zorin and others
-  // 1996, section 3).  If its fan is not closed, adds the midpoint weights instead.
+  // 1996, section 3). If its fan is not closed, adds the midpoint weights instead.
   void add_ring_weights(Index h, double factor)
   {
     std::vector<Index> ring;
@@ -187,7 +187,7 @@ Vec3 position(const std::vector<double>& values, Index vertex)
 
 using Local_frame = std::array<Vec3, 3>; // normal, tangent along the edge, their cross product
 
-// Returns the frame of the coarser surface at an edge.  If the sine of an angle is below 0.01 (half
+// Returns the frame of the coarser surface at an edge. If the sine of an angle is below 0.01 (half
 // a degree), the frame would depend on round-off errors: then returns the coordinate axes.
 Local_frame local_frame(const Level& level, const std::vector<double>& values, Index h)
 {

@@ -79,12 +79,12 @@ void add_midpoints(Level& level, std::vector<std::array<Index, 2>>& parents)
       level.midpoint[h] = level.midpoint[level.twin[h]];
 }
 
-// These functions return the halves of a halfedge.  The halves belong to the children at its source
-// and at its target.  They are edge h % 3 of these triangles, as h is in its triangle.
+// These functions return the halves of a halfedge. The halves belong to the children at its source
+// and at its target. They are edge h % 3 of these triangles, as h is in its triangle.
 Index first_half(Index h) { return 3 * (4 * (h / 3) + h % 3) + h % 3; }
 Index second_half(Index h) { return 3 * (4 * (h / 3) + (h + 1) % 3) + h % 3; }
 
-// Splits each triangle into four.  Computes the twins from those of the level, without a search.
+// Splits each triangle into four. Computes the twins from those of the level, without a search.
 Level refined_level(const Level& level)
 {
   Level result;
@@ -264,7 +264,7 @@ public:
   Quad_subdivision result() { return std::move(m_result); }
 
 private:
-  // Returns the midpoint.  It is exact, because the denominator has enough factors of two.
+  // Returns the midpoint. It is exact, because the denominator has enough factors of two.
   static Coordinates midpoint(const Coordinates& p, const Coordinates& q)
   {
     Coordinates result;
@@ -337,7 +337,7 @@ private:
     }
   }
 
-  // Adds the midpoints of all edges.  Returns those of the four edges of each quad.
+  // Adds the midpoints of all edges. Returns those of the four edges of each quad.
   std::vector<std::array<Index, 4>> add_edge_midpoints()
   {
     std::map<std::array<Index, 2>, Index> edge_midpoint;

@@ -168,7 +168,7 @@ Bytes encode_triangles(const std::vector<Triangle>& triangles, std::size_t numbe
 std::vector<Triangle> decode_triangles(const Packet& packet, const Stream_header& header)
 {
   const char* const message = "The base mesh of the wavelet stream is damaged or incomplete.";
-  // Each corner takes at least one bit.  This bounds the memory that a damaged header can request.
+  // Each corner takes at least one bit. This bounds the memory that a damaged header can request.
   if(!packet.is_complete || packet.is_damaged || 3 * header.triangles > 8 * packet.size)
     throw Invalid_argument_error(message);
   Bit_decoder decoder(packet.bytes, packet.size, true);

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-// The container of the wavelet stream: header, packets and the base triangles.  Integers are stored
+// The container of the wavelet stream: header, packets and the base triangles. Integers are stored
 // with the least significant byte first.
 namespace CGAL::Geodesic_processing::internal {
 
@@ -65,12 +65,12 @@ void append_packet(Bytes& bytes, const Bytes& packet);
 CGAL_GEODESIC_PROCESSING_EXPORT
 Packet read_packet(Stream_reader& reader);
 
-// Encodes the vertices of all corners.  One bit states if a vertex is the next new one in the order
-// of the indices.  If it is not, the bits of its index follow.
+// Encodes the vertices of all corners. One bit states if a vertex is the next new one in the order
+// of the indices. If it is not, the bits of its index follow.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Bytes encode_triangles(const std::vector<Triangle>& triangles, std::size_t number_of_vertices);
 
-// Decodes the result of encode_triangles().  Vertices are not validated.
+// Decodes the result of encode_triangles(). Vertices are not validated.
 // Throws Invalid_argument_error if the packet is damaged or incomplete.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Triangle> decode_triangles(const Packet& packet, const Stream_header& header);

@@ -17,7 +17,7 @@ namespace {
 
 // ---------------------------------------------------------------------------------------- trees
 
-// The trees of coefficients.  The coefficient of an edge is the detail of its midpoint.
+// The trees of coefficients. The coefficient of an edge is the detail of its midpoint.
 struct Zerotrees
 {
   std::vector<std::array<Index, 4>> children;  // #vertices: none for vertices of the base mesh
@@ -26,7 +26,7 @@ struct Zerotrees
   std::vector<bool> is_root; // #vertices: true for vertices and edges of the base mesh
 };
 
-// Computes the trees of a subdivision.  O(n).
+// Computes the trees of a subdivision. O(n).
 Zerotrees build_zerotrees(const Subdivision& s)
 {
   const std::size_t n = s.number_of_vertices();
@@ -84,8 +84,8 @@ struct Channel_state
   std::vector<Bit_model> significance_models, descendant_models, refinement_models;
 };
 
-// Codes bit planes.  The template parameter Coder encodes or decodes single bits: its functions
-// bit(model, get_value) and sign(get_value) return the bit.  The encoder calls get_value() and
+// Codes bit planes. The template parameter Coder encodes or decodes single bits: its functions
+// bit(model, get_value) and sign(get_value) return the bit. The encoder calls get_value() and
 // writes the bit; the decoder reads it.
 class Bitplane_coder
 {
@@ -107,7 +107,7 @@ public:
 
   const Zerotrees& zerotrees() const { return m_zerotrees; }
 
-  // Codes the next plane.  Returns false if a decoder has no more bits.
+  // Codes the next plane. Returns false if a decoder has no more bits.
   template <typename Coder>
   bool code_plane(Coder& coder)
   {
@@ -125,7 +125,7 @@ public:
 
 private:
   // Codes one bit of the coefficient of vertex v in channel c, and its sign if it becomes
-  // significant.  Then codes whether it has significant descendants.  Returns false if a decoder
+  // significant. Then codes whether it has significant descendants. Returns false if a decoder
   // has no more bits.
   template <typename Coder>
   bool code_coefficient(Coder& coder, Index v, std::size_t c)
@@ -328,8 +328,8 @@ Stream_header make_header(const Subdivision& s, const Wavelet_signal& signal, un
   return header;
 }
 
-// Returns the scaled coefficients (#vertices * channels).  The values of the base vertices are
-// centered first.  Sets the origin and the exponent of the header.
+// Returns the scaled coefficients (#vertices * channels). The values of the base vertices are
+// centered first. Sets the origin and the exponent of the header.
 std::vector<double> scaled_coefficients(const Subdivision& s, const Wavelet_signal& signal,
                                         Stream_header& header)
 {
@@ -422,7 +422,7 @@ Decoded_wavelets decode(const std::uint8_t* bytes, std::size_t size,
 {
   Stream_reader reader{bytes, bytes + size};
   const Stream_header header = read_header(reader);
-  // Reject sizes before memory is allocated.  The number of finest triangles is at most about twice
+  // Reject sizes before memory is allocated. The number of finest triangles is at most about twice
   // the number of vertices.
   const double number_of_finest_triangles =
       std::ldexp(double(header.triangles), 2 * int(header.levels));

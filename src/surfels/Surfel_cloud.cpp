@@ -14,9 +14,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Builds a symmetric graph.  The edges of a surfel to its neighbors with are_connected(i, j,
-// length) are sorted by distance.  Edges whose reverse is missing follow: surfel i is a neighbor of
-// j, but j is not among the neighbors of i.  This only occurs beyond the search radius of i.
+// Builds a symmetric graph. The edges of a surfel to its neighbors with are_connected(i, j,
+// length) are sorted by distance. Edges whose reverse is missing follow: surfel i is a neighbor of
+// j, but j is not among the neighbors of i. This only occurs beyond the search radius of i.
 template <typename Are_connected>
 Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& neighbors,
                            const std::vector<double>& search_radius, unsigned number_of_threads,
@@ -73,8 +73,8 @@ Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& ne
   return graph;
 }
 
-// Labels the connected components by union-find.  Threads unite the vertices of each block in
-// parallel; then the edges between blocks are processed sequentially.  O(n) in practice.
+// Labels the connected components by union-find. Threads unite the vertices of each block in
+// parallel; then the edges between blocks are processed sequentially. O(n) in practice.
 void label_components(unsigned number_of_threads, Surfel_cloud& cloud)
 {
   const Proximity_graph& graph = cloud.graph;

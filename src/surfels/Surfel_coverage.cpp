@@ -61,10 +61,10 @@ Surfel_coverage::Surfel_coverage(const Surfel_cloud& cloud, unsigned number_of_t
             if(!(length <= cloud.search_radius[vertex]))
               continue;
             largest.add(cloud.spacing[other]);
-            // Let p be a point at the distance d of the vertex.  The surfels counted so far are
-            // within d + length of p.  All surfels within d + length of p are within 2 d + length
-            // of the vertex.  If 2 d + length is at most the search radius, there are fewer than 60
-            // of them.  So the 60 nearest surfels of p include the counted ones, whose third
+            // Let p be a point at the distance d of the vertex. The surfels counted so far are
+            // within d + length of p. All surfels within d + length of p are within 2 d + length
+            // of the vertex. If 2 d + length is at most the search radius, there are fewer than 60
+            // of them. So the 60 nearest surfels of p include the counted ones, whose third
             // largest spacing is a lower bound of the percentile at p.
             if(largest.is_full())
               certain_radius =
@@ -95,7 +95,7 @@ Vec3 Surfel_coverage::clamped_to_coverage(const Vec3& point, Index vertex) const
     return point;
   vertex = m_cloud.tree.nearest(m_cloud.point, point);
   const Vec3 offset = point - m_cloud.point[vertex];
-  // The surfel itself is covered.  Each step reduces the distance to it by 5 %.
+  // The surfel itself is covered. Each step reduces the distance to it by 5 %.
   double fraction = std::min(1., m_radius[vertex] / norm(offset));
   for(int i = 0; i < 60; ++i, fraction *= 0.95)
   {

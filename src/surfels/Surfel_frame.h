@@ -36,7 +36,7 @@ struct Surfel
   Vec3 point, normal;
 };
 
-// The coordinates in which the surface is a height field over the plane of a surfel.  Their unit is
+// The coordinates in which the surface is a height field over the plane of a surfel. Their unit is
 // its spacing.
 class Surfel_frame
 {
@@ -53,7 +53,7 @@ public:
     Quadric_fit::Moments monomials;
     double height, slope_x, slope_y;
   };
-  // Computes the coordinates and slopes of a surfel.  Returns false if its normal differs by more
+  // Computes the coordinates and slopes of a surfel. Returns false if its normal differs by more
   // than 60 degrees.
   bool project(const Vec3& point, const Vec3& normal, Sample& sample) const
   {
@@ -68,7 +68,7 @@ public:
               -dot(normal, m_v) / cosine};
     return true;
   }
-  // Computes those of a cluster.  The covariance is added to the second moments, so that fitting
+  // Computes those of a cluster. The covariance is added to the second moments, so that fitting
   // the mean equals fitting all points of the cluster to second order.
   bool project(const Surfel_mean& mean, Sample& sample) const
   {
@@ -81,8 +81,8 @@ public:
     return true;
   }
 
-  // Subtracts the terms above the second order from the height and the slopes of a sample.  Let H
-  // be the Hessian of the fit.  The height of the surface is assumed to be x^T H
+  // Subtracts the terms above the second order from the height and the slopes of a sample. Let H
+  // be the Hessian of the fit. The height of the surface is assumed to be x^T H
   // x / (1 + sqrt(1 - |H x|^2)), which is exact for spheres and cylinders.
   static void remove_higher_order_terms(const Quadric_fit::Coefficients& c, Sample& sample)
   {

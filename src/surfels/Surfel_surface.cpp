@@ -15,7 +15,7 @@ namespace {
 
 // On a torus, a support ratio of 3 increases the error by a factor of 2.3.
 constexpr double support_ratio = 2.3, extent_ratio = 1.5;
-// The extent divided by the ninth decile of the neighbors' radii.  On paths over four scans, 114 of
+// The extent divided by the ninth decile of the neighbors' radii. On paths over four scans, 114 of
 // 70,000 points were not covered (see Surfel_coverage); with 1.2, 176, and with 1.3, 275.
 constexpr double large_radius_extent_ratio = 1.1;
 
@@ -24,7 +24,7 @@ constexpr double full_weight_cosine = 0.76604444311897804 /* 40 degrees */,
                  zero_weight_cosine = 0.5 /* 60 degrees */;
 
 // For robust weights: the number of surfels of a fit, the height of an outlier divided by the
-// standard deviation, and the minimum standard deviation divided by the spacing.  Below the
+// standard deviation, and the minimum standard deviation divided by the spacing. Below the
 // minimum, noise is negligible.
 constexpr std::size_t number_of_robust_neighbors = 24;
 constexpr double outlier_tolerance = 2.5, min_deviation = 0.02;
@@ -53,7 +53,7 @@ struct Sphere
   Vec3 normal;
 };
 
-// Fits the algebraic sphere constant + linear x + quadratic x^2 = 0.  First its gradient is fitted
+// Fits the algebraic sphere constant + linear x + quadratic x^2 = 0. First its gradient is fitted
 // to the normals, then its value to the points (Guennebaud, Germann and Gross 2008, Eq. 5).
 Sphere fit_sphere(const Weighted_sums& s)
 {
@@ -207,7 +207,7 @@ Projection Surfel_surface::project_to_disk(const Vec3& point, Index vertex) cons
   return projection;
 }
 
-// Calls v(weight, other) for the surfels with positive weight in the fit at a point.  `vertex` is
+// Calls v(weight, other) for the surfels with positive weight in the fit at a point. `vertex` is
 // the nearest surfel of the point.
 template <typename Visit>
 void Surfel_surface::visit_neighbors(const Vec3& point, Index vertex, Visit v) const
@@ -240,7 +240,7 @@ void Surfel_surface::visit_neighbors(const Vec3& point, Index vertex, Visit v) c
     consider(neighbor.point, m_robust_weight[neighbor.point]);
 }
 
-// Projects a point to the surface that is fitted at it.  Returns false if all weights are zero.
+// Projects a point to the surface that is fitted at it. Returns false if all weights are zero.
 bool Surfel_surface::project_step(Projection& projection) const
 {
   Weighted_sums sums;
@@ -267,7 +267,7 @@ bool Surfel_surface::project_step(Projection& projection) const
 }
 
 // Fits a quadric to the residuals of the heights and slopes of a fitted sphere, and corrects the
-// projection to the sphere by it.  The weights are those at `from`, the point at which the sphere
+// projection to the sphere by it. The weights are those at `from`, the point at which the sphere
 // was fitted.
 void Surfel_surface::add_quadric_correction(const Projection& from, double curvature,
                                             Projection& projection) const
@@ -377,7 +377,7 @@ Projection Surfel_surface::project_unclamped(const Vec3& query, Index near_verte
     projection.conormal = (1. / length) * tangent;
     projection.point = projection.point - (length - max_length) * projection.conormal;
   }
-  // The fit at a distant query point uses wrong weights.  Iterate from the projection until it
+  // The fit at a distant query point uses wrong weights. Iterate from the projection until it
   // converges.
   for(int i = 0; i < 4; ++i)
   {

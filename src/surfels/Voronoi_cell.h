@@ -13,7 +13,7 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // A convex polygon in the plane: the Voronoi cell of the origin, which is computed by clipping a
-// square at the bisectors with other points.  Each clip is linear in the number of corners.
+// square at the bisectors with other points. Each clip is linear in the number of corners.
 class Voronoi_cell
 {
 public:
@@ -23,7 +23,7 @@ public:
     Index edge; // the label of the edge to the next corner; none on the initial square
   };
 
-  // Sets the cell to the square [-half_width, half_width]^2.  Keeps the allocated memory.
+  // Sets the cell to the square [-half_width, half_width]^2. Keeps the allocated memory.
   void reset(double half_width)
   {
     m_corners.assign({{half_width, -half_width, none},
@@ -39,8 +39,8 @@ public:
   // Returns the corners in counterclockwise order.
   const std::vector<Corner>& corners() const { return m_corners; }
 
-  // Intersects the cell with the half-plane x qx + y qy <= offset.  A new edge on the line gets the
-  // label.  If the half-plane contains no corner, the cell remains unchanged.
+  // Intersects the cell with the half-plane x qx + y qy <= offset. A new edge on the line gets the
+  // label. If the half-plane contains no corner, the cell remains unchanged.
   void clip(double qx, double qy, double offset, Index label)
   {
     const std::size_t n = m_corners.size();

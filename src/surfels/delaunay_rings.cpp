@@ -19,8 +19,8 @@ namespace {
 // Cells that need more than `number_of_ring_neighbors` use up to this number.
 constexpr std::size_t max_number_of_neighbors = 64;
 
-// A bisector has half the distance of its neighbor.  So it can intersect the cell only if the
-// squared distance of the neighbor is at most 4 times the squared radius of the cell.  The factor
+// A bisector has half the distance of its neighbor. So it can intersect the cell only if the
+// squared distance of the neighbor is at most 4 times the squared radius of the cell. The factor
 // is larger because the weights of the power diagram can move a bisector across a corner.
 constexpr double squared_reach_ratio = 4.000001;
 
@@ -33,7 +33,7 @@ double pseudo_random(Index v)
 }
 
 // Returns the weights of a power diagram (#surfels), so that different tangent planes choose the
-// same diagonal for cocircular surfels (lattices).  The weights are far above round-off errors; at
+// same diagonal for cocircular surfels (lattices). The weights are far above round-off errors; at
 // 1e-9 of the squared spacing, they change no triangle that is not nearly cocircular.
 std::vector<double> power_weights(const Distinct_surfels& surfels, const Ragged_rows& neighbors)
 {
@@ -56,7 +56,7 @@ struct Ring_input
   std::vector<double> weight; // of the power diagram
 };
 
-// Computes the rings of surfels one at a time.  Keeps its arrays between them: one per thread.
+// Computes the rings of surfels one at a time. Keeps its arrays between them: one per thread.
 class Ring_builder
 {
 public:
@@ -125,7 +125,7 @@ private:
     return false;
   }
 
-  // Clips the cell at the bisector with a neighbor.  If `only_in_gaps`, neighbors in the direction
+  // Clips the cell at the bisector with a neighbor. If `only_in_gaps`, neighbors in the direction
   // of an existing triangle are ignored.
   void clip(Index j, bool only_in_gaps)
   {

@@ -13,7 +13,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Number of nearest surfels from which the ring of a surfel is computed.  On a thin sheet, half of
+// Number of nearest surfels from which the ring of a surfel is computed. On a thin sheet, half of
 // them belong to the other side and the remaining 12 still suffice for a ring.
 constexpr std::size_t number_of_ring_neighbors = 24;
 
@@ -41,9 +41,9 @@ struct Distinct_surfels
 // radius         #surfels: a triangle is omitted if its circumradius exceeds
 //                `max_circumradius_ratio` times the smallest radius of its corners
 //
-// Returns for each surfel the other corners of its triangles, counterclockwise.  Consecutive
-// entries a, b stand for the triangle (surfel, a, b).  `none` separates two fans of triangles.  It
-// also terminates the last fan, unless the triangles surround the surfel.  O(n log n).
+// Returns for each surfel the other corners of its triangles, counterclockwise. Consecutive
+// entries a, b stand for the triangle (surfel, a, b). `none` separates two fans of triangles. It
+// also terminates the last fan, unless the triangles surround the surfel. O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Ragged_rows find_delaunay_rings(const Distinct_surfels& surfels, const Ragged_rows& neighbors,
                                 const std::vector<double>& search_radius,

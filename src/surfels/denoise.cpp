@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t number_of_neighbors = 24;
 
-// Radii of the fits, divided by the spacing.  The smallest one contains 24 surfels of a plane.
+// Radii of the fits, divided by the spacing. The smallest one contains 24 surfels of a plane.
 constexpr int number_of_scales = 12;
 constexpr double smallest_radius = 2.8, radius_ratio = 1.25;
 // Fits at this scale and above use the means of clusters instead of single surfels.
@@ -27,7 +27,7 @@ constexpr int first_clustered_scale = 5;
 constexpr Index cluster_size = 8;
 
 // Maximum differences of heights and slopes between consistent estimates, and maximum distance of a
-// surfel from a fit, in standard deviations.  The slopes of scans are correlated: with a slope
+// surfel from a fit, in standard deviations. The slopes of scans are correlated: with a slope
 // tolerance of 3, the error of paths on a scanned plane was 0.060 % instead of 0.046 %.
 constexpr double height_tolerance = 3., slope_tolerance = 5., residual_tolerance = 3.5;
 
@@ -102,7 +102,7 @@ struct Variances
 };
 
 // Returns the variances of the residuals of quadrics that are fitted to the neighbors of each
-// surfel.  `slope_weight` is the weight of slopes relative to heights.
+// surfel. `slope_weight` is the weight of slopes relative to heights.
 Variances residual_variances(const Denoising_cloud& cloud, double slope_weight,
                              unsigned number_of_threads)
 {
@@ -179,7 +179,7 @@ Variances estimate_variances(const Denoising_cloud& cloud, unsigned number_of_th
   return result;
 }
 
-// The means of each `cluster_size` consecutive surfels in the order of the tree.  Groups that are
+// The means of each `cluster_size` consecutive surfels in the order of the tree. Groups that are
 // too large, or whose normals differ because they are on several sheets, are omitted.
 struct Clusters
 {
@@ -188,7 +188,7 @@ struct Clusters
   Kd_tree tree;            // of the means
 };
 
-// Computes the clusters of a cloud.  O(n log n).
+// Computes the clusters of a cloud. O(n log n).
 Clusters build_clusters(const Denoising_cloud& cloud, unsigned number_of_threads)
 {
   std::vector<Surfel_mean> means;
@@ -239,7 +239,7 @@ struct Fit_choice
   {
     return a.scale == b.scale && a.count == b.count;
   }
-  // Orders fits by their variance, largest first.  The variance of a plane is that of a quadric
+  // Orders fits by their variance, largest first. The variance of a plane is that of a quadric
   // through four times as many surfels, whose radius is three scales larger.
   friend bool operator<(const Fit_choice& a, const Fit_choice& b)
   {
@@ -268,7 +268,7 @@ public:
   }
 
   // Returns the fit with the smallest variance that is consistent with all fits accepted before it
-  // (Lepski 1991), and sets `choice`.  If the surfel has no noise, returns zero coefficients.
+  // (Lepski 1991), and sets `choice`. If the surfel has no noise, returns zero coefficients.
   Quadric_fit::Coefficients choose_fit(Index i, Scratch& scratch, Fit_choice& choice) const
   {
     Quadric_fit::Coefficients result = {};
@@ -324,7 +324,7 @@ public:
     return result;
   }
 
-  // Returns the weighted mean of the projections of a surfel to the fits of its neighbors.  So
+  // Returns the weighted mean of the projections of a surfel to the fits of its neighbors. So
   // there are no jumps between surfels with different choices.
   Surfel blended_surfel(Index i, const std::vector<Quadric_fit::Coefficients>& fits) const
   {
@@ -356,7 +356,7 @@ private:
     std::array<double, 3> value, variance;
   };
 
-  // Returns true if the difference of two estimates is explained by noise.  One estimate uses all
+  // Returns true if the difference of two estimates is explained by noise. One estimate uses all
   // surfels of the other, so the variance of the difference is the difference of the variances.
   static bool are_consistent(const Estimate& a, const Estimate& b)
   {

@@ -5,7 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
-// Gaps are closed by the search over all triangulations.  CGAL need not instantiate the others.
+// Gaps are closed by the search over all triangulations. CGAL need not instantiate the others.
 #define CGAL_HOLE_FILLING_DO_NOT_USE_CDT2
 #define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
 
@@ -30,20 +30,20 @@ namespace {
 using Kernel = Exact_predicates_inexact_constructions_kernel;
 using Face = std::array<std::size_t, 3>;
 
-// Limit of the number of triangles that the front can evaluate.  Clean clouds need 30 to 60
-// evaluations per surfel, noise at least 110.  On noise, the front starts thousands of components,
+// Limit of the number of triangles that the front can evaluate. Clean clouds need 30 to 60
+// evaluations per surfel, noise at least 110. On noise, the front starts thousands of components,
 // and evaluates all triangles before each.
 constexpr double base_query_limit = 2e5, queries_per_surfel = 60.;
 
 // Larger boundary cycles are never closed.
 constexpr std::size_t max_number_of_gap_edges = 16;
 // Boundary cycles with at most this number of edges are closed regardless of the circumradii: their
-// diameter is at most three edges of small triangles.  Random samples of a surface have one such
+// diameter is at most three edges of small triangles. Random samples of a surface have one such
 // cycle in about 10,000 surfels.
 constexpr std::size_t always_closed_gap_edges = 6;
-// The sine of 20 degrees.  Let the angle of a normal be measured from the plane of the triangle.  A
+// The sine of 20 degrees. Let the angle of a normal be measured from the plane of the triangle. A
 // triangle is admitted if no normal of its corners is below -20 degrees and at least one is above
-// 20 degrees, for one of both orientations.  The tolerance admits the mean normals at creases.
+// 20 degrees, for one of both orientations. The tolerance admits the mean normals at creases.
 constexpr double normal_sine_tolerance = 0.34;
 
 // Returns the minimum and the maximum of the products of the triangle's unit normal with the
@@ -107,7 +107,7 @@ std::vector<Index> corners_of(const std::vector<Face>& faces)
   return result;
 }
 
-// Flips each component whose sum of normal products over all triangles is negative.  The sums are
+// Flips each component whose sum of normal products over all triangles is negative. The sums are
 // taken in the order of the faces, so that they do not depend on the orientation.
 void orient(const Surface_arrays& t, std::vector<Face>& faces)
 {
@@ -140,7 +140,7 @@ void orient(const Surface_arrays& t, std::vector<Face>& faces)
   }
 }
 
-// Returns the boundary cycles with at most `max_number_of_gap_edges` edges.  The vertices of a
+// Returns the boundary cycles with at most `max_number_of_gap_edges` edges. The vertices of a
 // cycle are in the order in which new triangles inside the gap must traverse them.
 std::vector<std::vector<Index>> find_gaps(std::size_t number_of_vertices,
                                           const std::vector<Face>& faces)
@@ -181,7 +181,7 @@ void for_each_edge(const Face& face, const Use& use)
 }
 
 // Closes small gaps by triangulations with the smallest maximum dihedral angle, then minimum area.
-// A gap is only closed if all new triangles are small and agree with the normals.  Their edges must
+// A gap is only closed if all new triangles are small and agree with the normals. Their edges must
 // not exist already, except on the boundary cycle.
 void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>& points,
                 std::vector<Face>& faces)
@@ -267,7 +267,7 @@ Mesh_arrays reconstruct_surface(const Surfel_arrays& surfels)
                                            std::back_inserter(faces),
                                            Triangle_priority{&surfels, &query_limit});
   }
-  // The order and the orientation of the output depend on addresses.  Sort the faces first by their
+  // The order and the orientation of the output depend on addresses. Sort the faces first by their
   // vertices, then, once they are oriented, by their corners.
   const auto vertices_of = [](Face face)
   {

@@ -34,8 +34,8 @@ bool ring_has_edge(const Ragged_rows& rings, Index vertex, Index a, Index b)
   return false;
 }
 
-// Collects the triangles of all rings.  A triangle that several corners found is appended once, by
-// the corner with the smallest index.  Its weight is one third of the number of these corners.
+// Collects the triangles of all rings. A triangle that several corners found is appended once, by
+// the corner with the smallest index. Its weight is one third of the number of these corners.
 void collect_triangles(const Ragged_rows& rings, unsigned number_of_threads, Surface_arrays& t)
 {
   const std::size_t n = rings.row_begin.size() - 1;
@@ -69,7 +69,7 @@ void collect_triangles(const Ragged_rows& rings, unsigned number_of_threads, Sur
 }
 
 // Builds the graph: edges between gentle neighbors with intersecting spheres, the edges of all
-// triangles, and an edge from each copy to its original.  Replaces neighbors without an edge by
+// triangles, and an edge from each copy to its original. Replaces neighbors without an edge by
 // `none`.
 void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
                  const std::vector<double>& radius, const std::vector<Index>& original,
@@ -127,7 +127,7 @@ void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
   t.graph.target = std::move(edges.entries);
 }
 
-// Computes the lengths of all edges.  Scales all lengths and coordinates by a power of two, such
+// Computes the lengths of all edges. Scales all lengths and coordinates by a power of two, such
 // that the longest edge lies in [1, 2).
 void compute_lengths(Surfel_arrays& surfels, unsigned number_of_threads)
 {
@@ -293,7 +293,7 @@ Closest_point closest_edge_point(const Projected_triangle& p)
   return result;
 }
 
-// Returns the point of a triangle that is closest to the origin.  The distance is zero if the
+// Returns the point of a triangle that is closest to the origin. The distance is zero if the
 // triangle contains the origin, and infinite if the area of the triangle is not positive.
 Closest_point closest_to_origin(const Projected_triangle& p)
 {

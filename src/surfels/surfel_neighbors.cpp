@@ -43,13 +43,13 @@ void normalize(std::vector<Vec3>& normals)
 namespace {
 
 // Returns for each surfel the first surfel at the same point with a compatible normal, which can be
-// itself.  Surfels are distributed to buckets by a hash of their points.  So the hash table of a
-// bucket stays in the cache, and threads process buckets in parallel.  O(n) expected.
+// itself. Surfels are distributed to buckets by a hash of their points. So the hash table of a
+// bucket stays in the cache, and threads process buckets in parallel. O(n) expected.
 std::vector<Index> find_originals(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
                                   double cosine, unsigned number_of_threads)
 {
   constexpr std::size_t number_of_buckets = 256;
-  // The sum rounds points closer than 2^-51 of the extent to the same key.  So squared distances
+  // The sum rounds points closer than 2^-51 of the extent to the same key. So squared distances
   // between different originals cannot underflow.
   const auto key = [&](Index i) -> Vec3 {
     return {points[i][0] + 4., points[i][1] + 4., points[i][2] + 4.};

@@ -18,7 +18,7 @@ struct Forest
   std::vector<double> distance; // #vertices: to the nearest seed
 };
 
-// Computes shortest paths by the Bellman-Ford algorithm with waves of changed vertices.  A wave
+// Computes shortest paths by the Bellman-Ford algorithm with waves of changed vertices. A wave
 // visits the vertices approximately in the order of their indices, which needs fewer cache misses
 // than a priority queue.
 Forest grow_forest(const Proximity_graph& graph, const std::vector<Vec3>& point,

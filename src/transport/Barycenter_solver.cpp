@@ -20,14 +20,14 @@ namespace {
 // The number of steps between two updates of the upper bound, which cost as much as one step.
 constexpr unsigned steps_per_check = 10;
 
-// The initial threshold relative to the root mean square of the least squares flows.  Between
+// The initial threshold relative to the root mean square of the least squares flows. Between
 // points, the optimal flow is nonzero in few triangles, and some tens of times as large there.
 constexpr double threshold_factor = 20.;
 
 // Thresholds change at every 16th update of the upper bound, up to the 64th.
 constexpr unsigned checks_between_updates = 16, last_update = 64;
 
-// The stiffness relative to the area.  The number of steps does not depend on it from half to
+// The stiffness relative to the area. The number of steps does not depend on it from half to
 // twice this value; at ten times the value it increases.
 constexpr double stiffness_factor = 2e-4;
 
@@ -41,10 +41,10 @@ double max_squared_length(const Operators& o, const Field& field)
 }
 
 // Replaces a field by the z that minimizes (integral of |z|)^2 + (integral of |z - field|^2) /
-// factor.  All vectors become shorter by the threshold factor * (integral of |z|).
+// factor. All vectors become shorter by the threshold factor * (integral of |z|).
 //
 // Newton's method finds the threshold in a few steps from any start, since the equation is
-// concave and piecewise linear.  `threshold` is the start, and receives the result.
+// concave and piecewise linear. `threshold` is the start, and receives the result.
 void shrink(const Operators& o, double factor, double& threshold, Field& field)
 {
   std::vector<double> size(field.size());
@@ -70,8 +70,8 @@ void shrink(const Operators& o, double factor, double& threshold, Field& field)
 
 } // namespace
 
-// Douglas-Rachford splitting of the flows J_i and the masses m.  Distances of flows are measured
-// by w_i |J_i|^2, those of masses by stiffness * m^2 / lumped mass.  Weights and masses must sum
+// Douglas-Rachford splitting of the flows J_i and the masses m. Distances of flows are measured
+// by w_i |J_i|^2, those of masses by stiffness * m^2 / lumped mass. Weights and masses must sum
 // to one.
 class Barycenter_solver::Admm
 {
@@ -100,7 +100,7 @@ public:
                               : 0.};
   }
 
-  // Iterates until the gap is within the tolerance.  Returns bounds, masses, flows and potentials
+  // Iterates until the gap is within the tolerance. Returns bounds, masses, flows and potentials
   // for masses and weights that sum to one each.
   Barycenter_result run(const Barycenter_options& options)
   {
@@ -142,11 +142,11 @@ private:
 
   std::size_t size() const { return m_masses.size(); }
 
-  // Computes an iteration.  This projects x = z - u and the masses m - mass_dual.  The projection
+  // Computes an iteration. This projects x = z - u and the masses m - mass_dual. The projection
   // of the flows is x plus the gradients of `potentials`.
   void step()
   {
-    // Over-relaxation close to 2 converges fastest.  1.7 takes a tenth more steps.
+    // Over-relaxation close to 2 converges fastest. 1.7 takes a tenth more steps.
     constexpr double relaxation_factor = 1.9;
     auto& [z, u, m, mass_dual, factor] = m_state;
     for(std::size_t i = 0; i < size(); ++i)
@@ -199,7 +199,7 @@ private:
   }
 
   // Raises the thresholds to a third of the mean length of the vectors, weighted by the mass that
-  // they carry. Flows between points are larger in smaller triangles.  At 40,000 vertices this
+  // they carry. Flows between points are larger in smaller triangles. At 40,000 vertices this
   // saves half of the steps.
   void update_thresholds()
   {
@@ -270,7 +270,7 @@ private:
   }
 
   // Corrects flows, by least squares, such that they move the given masses to the input masses.
-  // Keeps masses and flows if they cost less than the best ones.  The cost contains that of moving
+  // Keeps masses and flows if they cost less than the best ones. The cost contains that of moving
   // the error of the divergence along edges.
   void update_upper_bound(const Vector& masses, std::vector<Field> flows)
   {
@@ -299,7 +299,7 @@ private:
     m_flows = std::move(flows);
   }
 
-  // Keeps potentials if they prove a higher lower bound than the best ones.  `square` is the sum
+  // Keeps potentials if they prove a higher lower bound than the best ones. `square` is the sum
   // of the weights times the squared slopes.
   void update_lower_bound(const Columns& potentials, double square)
   {

@@ -14,7 +14,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Adds factor * source to target.  An empty vector is zero.
+// Adds factor * source to target. An empty vector is zero.
 void add(Vector& target, double factor, const Vector& source)
 {
   if(source.size() == 0)

@@ -99,7 +99,7 @@ void check_region(const Transport_region& region)
     throw Invalid_argument_error("The spreading weight is negative or not finite.");
 }
 
-// Sorts the vertices of each exit.  If there are no limits, merges all exits into one.
+// Sorts the vertices of each exit. If there are no limits, merges all exits into one.
 std::vector<std::vector<Index>> merged_exits(std::vector<std::vector<Index>> exits, bool is_limited)
 {
   if(!is_limited && exits.size() > 1)
@@ -221,7 +221,7 @@ void Multilevel_transport_solver::add_level(std::shared_ptr<const Surface_arrays
   level.exits = std::move(exits);
 }
 
-// Returns the exits of a level in its unit of length, or nothing if there are no limits.  The
+// Returns the exits of a level in its unit of length, or nothing if there are no limits. The
 // density of arrivals is the outflow divided by a third of the area of the incident triangles
 // before refinement.
 std::vector<Exit> Multilevel_transport_solver::limited_exits(const Level& level) const
@@ -279,8 +279,8 @@ double Multilevel_transport_solver::cost_to_vertices(const Mass_distribution& ma
 
 // Returns an upper bound of the cost of moving a linear density to the vertices, added to
 // `initial`. masses_at_vertices() gives corner k the mass of density times h_k, where h_i are the
-// hat functions.  At the point with barycentric coordinates h_i, the distance to corner k is at
-// most the sum of h_i |p_k - p_i|, by convexity.  The integral of h_i h_j h_k over a triangle is
+// hat functions. At the point with barycentric coordinates h_i, the distance to corner k is at
+// most the sum of h_i |p_k - p_i|, by convexity. The integral of h_i h_j h_k over a triangle is
 // area / 30 if two of them are the same, and area / 60 if none are.
 double Multilevel_transport_solver::density_cost_to_vertices(const Vector& density,
                                                              double initial) const

@@ -14,9 +14,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Minimize the integral of |J| subject to divergence(J) = masses.  If there are exits, the mass
+// Minimize the integral of |J| subject to divergence(J) = masses. If there are exits, the mass
 // that leaves through each is a variable: divergence(J) = masses + outflow, and its price is
-// added to the objective.  Masses are scaled such that one unit of mass is moved.
+// added to the objective. Masses are scaled such that one unit of mass is moved.
 struct Transport_problem
 {
   const Operators& operators;
@@ -28,7 +28,7 @@ struct Transport_problem
   std::vector<Exit_group> exits = {};
 };
 
-// An iterative method for a Transport_problem.  The base class keeps the best bounds of all
+// An iterative method for a Transport_problem. The base class keeps the best bounds of all
 // iterates.
 class CGAL_GEODESIC_PROCESSING_EXPORT Transport_iteration
 {
@@ -36,15 +36,15 @@ public:
   explicit Transport_iteration(const Transport_problem& problem);
   virtual ~Transport_iteration() = default;
 
-  // Improves the bounds.  Returns false if round-off errors prevent further progress.
+  // Improves the bounds. Returns false if round-off errors prevent further progress.
   virtual bool advance() = 0;
 
   // Returns what a call of advance() adds to the number of iterations.
   virtual unsigned iterations_per_advance() const { return 1; }
   virtual unsigned default_max_iterations() const { return 100; }
 
-  // Returns the best bounds with flow, outflow and potential.  The outflow has an entry for each
-  // exit of problem().exits, one group after another.  Other members are not set.
+  // Returns the best bounds with flow, outflow and potential. The outflow has an entry for each
+  // exit of problem().exits, one group after another. Other members are not set.
   const Transport_result& best() const { return m_best; }
 
   // Moves the best bounds out, with the final state of methods that have one.
@@ -72,12 +72,12 @@ private:
   Transport_result m_best;
 };
 
-// The interior point method that Transport_solver describes.  A step is a factorization.
+// The interior point method that Transport_solver describes. A step is a factorization.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::unique_ptr<Transport_iteration> interior_point(const Transport_problem& problem);
 
 // Iteratively reweighted least squares: each triangle is weighted by one over the length of its
-// vector in the previous iterate (Weiszfeld 1937; Solomon and others 2014, figure 4).  A step is
+// vector in the previous iterate (Weiszfeld 1937; Solomon and others 2014, figure 4). A step is
 // a factorization. The gap stalls at about one percent.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::unique_ptr<Transport_iteration> weiszfeld(const Transport_problem& problem);

@@ -18,7 +18,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Iterates until the gap is within the tolerance.  Returns bounds that include `fixed_cost`, and
+// Iterates until the gap is within the tolerance. Returns bounds that include `fixed_cost`, and
 // whether they converged.
 Transport_result iterate(Transport_iteration& iteration, double fixed_cost,
                          const Transport_options& options)

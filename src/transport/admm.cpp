@@ -15,7 +15,7 @@ Admm::Admm(const Operators& operators, Projection projection, State initial_stat
   const std::size_t n = operators.number_of_triangles();
   m_least_squares_flow = m_projection(Field(n, Vec2{0., 0.}));
   const double area = std::accumulate(operators.area.begin(), operators.area.end(), 0.);
-  // Between points, the optimal flow is nonzero in few triangles.  There it is some tens of times
+  // Between points, the optimal flow is nonzero in few triangles. There it is some tens of times
   // as large as the root mean square of the least squares flow.
   m_threshold =
       20. * std::sqrt(inner_product(operators, m_least_squares_flow, m_least_squares_flow) / area);

@@ -11,7 +11,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The exits of one component and the mass that has to leave through them.  Masses are fractions
+// The exits of one component and the mass that has to leave through them. Masses are fractions
 // of the total mass that is moved, and prices are scaled accordingly.
 struct Exit_group
 {
@@ -20,7 +20,7 @@ struct Exit_group
   std::vector<Exit> exits;
 };
 
-// The exits of all components.  In `full` groups the capacity is just sufficient, which
+// The exits of all components. In `full` groups the capacity is just sufficient, which
 // determines the outflow of each exit; `open` groups have capacity to spare.
 struct Exit_groups
 {
@@ -49,7 +49,7 @@ struct Exit_cost
 // Returns a lower bound of the cost at which the mass of a group leaves, if mass that leaves at
 // vertex v costs potential[v] per unit in addition to the price: the maximum of the dual function
 //   mu mass + sum of min over 0 <= x <= capacity of (price / 2 x^2 + (potential[v] - mu) x)
-// over the marginal cost mu, and the mu at which it is attained.  Bisection to machine precision.
+// over the marginal cost mu, and the mu at which it is attained. Bisection to machine precision.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Exit_cost dual_exit_cost(const Exit_group& group, const Vector& potential);
 

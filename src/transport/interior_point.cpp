@@ -77,7 +77,7 @@ double inverse_max_step(const Cone_vector& x, const Cone_vector& direction)
   return discriminant >= 0. ? std::max(0., (std::sqrt(discriminant) - b) / c) : 0.;
 }
 
-// The Nesterov-Todd scaling W: the symmetric matrix with W z = W^-1 s.  It is stored as the
+// The Nesterov-Todd scaling W: the symmetric matrix with W z = W^-1 s. It is stored as the
 // factor eta and the hyperbolic unit vector w (Vandenberghe 2010).
 struct Scaling
 {
@@ -122,7 +122,7 @@ struct Scaling
 };
 
 // The variables of an exit: the outflow x, the remaining capacity y = capacity - x, and the
-// multipliers u of x >= 0 and v of y >= 0.  At the optimum price x + potential = u - v, and the
+// multipliers u of x >= 0 and v of y >= 0. At the optimum price x + potential = u - v, and the
 // products u x and v y are zero.
 struct Exit_slack : Exit
 {
@@ -193,7 +193,7 @@ struct Exit_slack : Exit
 };
 
 // In each triangle s = (1, gradient phi) and z = (tau, -J) are inside the cone, and at the
-// optimum their product is zero.  Names as in Vandenberghe 2010 ("The CVXOPT linear and quadratic
+// optimum their product is zero. Names as in Vandenberghe 2010 ("The CVXOPT linear and quadratic
 // cone program solvers"), which describes the method for general cones.
 class Interior_point : public Transport_iteration
 {
@@ -226,15 +226,15 @@ public:
     const double gap = mean_gap({0., 0.});
     const Steps predicted = predict();
     // The flow of a full predictor step moves the masses even if the step leaves the cone, so that
-    // it gives an upper bound.  This bound often has half the error of the iterate.
+    // it gives an upper bound. This bound often has half the error of the iterate.
     update_upper_bound(flow(1.), outflow(1.));
     const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
     return move(correct_centrality(next, correct(next)));
   }
 
 private:
-  // Initializes the outflows.  Each is 0.9 times the outflow that is optimal if moving costs
-  // nothing, plus 0.1 times an outflow in proportion to the capacity.  Then none is zero or at
+  // Initializes the outflows. Each is 0.9 times the outflow that is optimal if moving costs
+  // nothing, plus 0.1 times an outflow in proportion to the capacity. Then none is zero or at
   // its capacity.
   void add_slacks(const Exit_group& group)
   {
@@ -299,7 +299,7 @@ private:
     }
   }
 
-  // Factorizes the matrix of the current scalings.  Returns false if it is not positive definite.
+  // Factorizes the matrix of the current scalings. Returns false if it is not positive definite.
   bool factorize()
   {
     problem().laplacian.assemble(m_operators, m_tensor, m_matrix);
@@ -389,7 +389,7 @@ private:
     }
   }
 
-  // Computes the changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d.  Returns the
+  // Computes the changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d. Returns the
   // longest steps that stay in the cone.
   Steps find_step()
   {
@@ -432,7 +432,7 @@ private:
     return find_step();
   }
 
-  // Adds a correction to the right-hand side and solves again.  If x is the product of W^-1 s and
+  // Adds a correction to the right-hand side and solves again. If x is the product of W^-1 s and
   // W z that the current change reaches with the given steps, the new one reaches x +
   // correction(x), to first order.
   template <typename Change>
@@ -455,7 +455,7 @@ private:
     return find_step();
   }
 
-  // Computes the corrector, whose target is that all products equal `gap`.  The products that
+  // Computes the corrector, whose target is that all products equal `gap`. The products that
   // remain after a full predictor step are the second-order terms.
   Steps correct(double gap)
   {
@@ -466,7 +466,7 @@ private:
   }
 
   // Computes the centrality corrector (Gondzio 1996): products that would be far from `gap` after
-  // steps 0.3 longer than feasible are moved toward it.  Keeps the old change if the steps do not
+  // steps 0.3 longer than feasible are moved toward it. Keeps the old change if the steps do not
   // become longer.
   Steps correct_centrality(double gap, const Steps& steps)
   {
@@ -482,7 +482,7 @@ private:
     return find_step();
   }
 
-  // Moves the iterate and updates the bounds.  Returns false if the steps are too short for
+  // Moves the iterate and updates the bounds. Returns false if the steps are too short for
   // progress.
   bool move(const Steps& steps)
   {

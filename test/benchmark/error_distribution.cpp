@@ -35,7 +35,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 constexpr std::size_t max_vertices = 150000, number_of_sources = 5;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The results of one method, one value per mesh.  If the method fails, the errors are infinite.
+// The results of one method, one value per mesh. If the method fails, the errors are infinite.
 struct Method_results
 {
   std::string name;
@@ -66,8 +66,8 @@ std::vector<Vertex> sources_of(const Mesh& mesh)
   return result;
 }
 
-// Adds the errors of a method on a mesh.  `make_solver` returns a solver with compute() and
-// distance().  Vertices that are unreached, or closer than 5 % of the largest distance, do not
+// Adds the errors of a method on a mesh. `make_solver` returns a solver with compute() and
+// distance(). Vertices that are unreached, or closer than 5 % of the largest distance, do not
 // count.
 template <typename Make_solver>
 void measure(Method_results& results, const Mesh& mesh,

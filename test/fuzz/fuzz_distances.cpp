@@ -83,7 +83,7 @@ public:
 private:
   Point point(Vertex v) const { return point_of(m_surface, v); }
 
-  // Round-off errors of a sum of lengths.  On triangles of area zero, `Exact` documents an error of
+  // Round-off errors of a sum of lengths. On triangles of area zero, `Exact` documents an error of
   // 3e-8 of the lengths of their edges; a path crosses at most a few of them.
   double tolerance(double distance = 0.) const
   {
@@ -160,7 +160,7 @@ private:
       if(d == infinity || is_heat)
         continue;
       require_at_most(query.lowest_offset, d, tolerance(d), "distances are not below the offset");
-      // The front divides a polyline into short pieces, so it is not exact around polylines.  In
+      // The front divides a polyline into short pieces, so it is not exact around polylines. In
       // needles, its locations have round-off errors.
       if constexpr(is_mesh && !std::is_same_v<Method, GP::Fast_marching>)
         if(is_exact<Method> || (!query.points.empty() && !has_needles(m_surface)))

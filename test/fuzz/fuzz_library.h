@@ -26,7 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-// Decodes bytes to small surfaces and to arguments of functions, and checks results.  If the
+// Decodes bytes to small surfaces and to arguments of functions, and checks results. If the
 // environment variable FUZZ_TRACE is set, surfaces and operations are printed.
 
 namespace fuzz {
@@ -41,7 +41,7 @@ using Cloud = CGAL::Point_set_3<Point>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Reads small numbers, one byte each; zeros after the last byte.  The first operation is at the
+// Reads small numbers, one byte each; zeros after the last byte. The first operation is at the
 // beginning, so that bytes that are appended add operations.
 class Bytes
 {
@@ -125,7 +125,7 @@ inline void require_equal(const std::vector<double>& a, const std::vector<double
 
 // ---------------------------------------------------------------------------------------- calls
 
-// Calls a function that can refuse the surface or the arguments.  Returns whether it did not.
+// Calls a function that can refuse the surface or the arguments. Returns whether it did not.
 template <typename Function>
 bool accepts(Function f)
 {
@@ -238,7 +238,7 @@ inline double unit_of_length(Bytes& in)
   return in.one_of({1., 1., 1., 1., 1., 1e-6, 1e6, 1e-100, 1e100});
 }
 
-// Appends a grid of w by h squares, each of two triangles.  The last column (row) is the first one
+// Appends a grid of w by h squares, each of two triangles. The last column (row) is the first one
 // if the grid is periodic, with reversed rows if it is twisted.
 inline void add_grid(Soup& soup, int w, int h, bool is_periodic, bool is_twisted,
                      bool is_doubly_periodic)
@@ -487,7 +487,7 @@ Scale scale_of(const Surface& surface)
 }
 
 // Returns whether a triangle is a needle or a cap whose height is below 1e-7 of its longest edge, so
-// that half of the digits are lost.  The triangles of a cloud are unknown.
+// that half of the digits are lost. The triangles of a cloud are unknown.
 inline bool has_needles(const Mesh& mesh)
 {
   for(const auto f : mesh.faces())
@@ -511,7 +511,7 @@ auto random_vertex(Bytes& in, const Surface& surface)
   return vertex_of(surface, i);
 }
 
-// Returns a location in a face, often on an edge or at a corner.  The mesh has a face.
+// Returns a location in a face, often on an edge or at a corner. The mesh has a face.
 inline GP::Location<Mesh> random_location(Bytes& in, const Mesh& mesh)
 {
   const std::size_t face = in.below(mesh.number_of_faces());
@@ -579,7 +579,7 @@ void require_valid_path(const Domain& domain, const Path& path, double tolerance
 }
 
 // Runs Test<Cloud> on a random cloud for one of `period` inputs, otherwise Test<Mesh> on the mesh of
-// a random soup.  `domain_of` returns the domain of a soup.
+// a random soup. `domain_of` returns the domain of a soup.
 template <template <typename> class Test, typename Domain_of>
 void run_on_random_surface(Bytes& in, std::size_t period, std::size_t max_surfels,
                            std::size_t max_triangles, const Domain_of& domain_of)

@@ -6,7 +6,7 @@
 #include "readers/Surface_file.h"
 
 // Reads bytes as a file of one format, repairs what came out as the program does, and stops where a
-// promise is broken.  Errors with a sentence are what bad bytes deserve.
+// promise is broken. Errors with a sentence are what bad bytes deserve.
 int fuzz_reader(program::Reader read, const std::uint8_t* data, std::size_t size);
 
 #endif // GEODESIC_PROGRAM_FUZZ_READER_H

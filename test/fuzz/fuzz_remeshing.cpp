@@ -58,7 +58,7 @@ private:
   std::vector<std::size_t> m_parent;
 };
 
-// The Euler characteristic and the number of boundary cycles of each component, sorted.  Fans that
+// The Euler characteristic and the number of boundary cycles of each component, sorted. Fans that
 // meet in a vertex are separate.
 using Topology = std::vector<std::pair<int, int>>;
 

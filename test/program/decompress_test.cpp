@@ -211,7 +211,7 @@ TEST(Decompress, truncated_vtp_is_rejected)
   for(const char* const format : {"binary", "raw", "base64"})
   {
     const std::string bytes = compressed_vtp({format, 4, 24});
-    // The file without its last tags is complete.  A file that ends between two arrays is valid.
+    // The file without its last tags is complete. A file that ends between two arrays is valid.
     const std::size_t end = bytes.rfind(std::string(format) == "binary" ? "</Poly" : "</App");
     for(std::size_t i = bytes.find("<Points>") + 10; i < end; i += 5)
     {

@@ -56,7 +56,7 @@ void fill(Numbered<Mesh>& result, const Triangulation& surface)
 }
 
 // Returns a location in a face from its barycentric coordinates with respect to the corners of the
-// triangulation.  The coordinates of the location are in the order of
+// triangulation. The coordinates of the location are in the order of
 // Polygon_mesh_processing::Face_location: the source of halfedge(face) is the first.
 template <typename Mesh>
 auto location_in(const Numbered<Mesh>& mesh, const Triangulation& surface, std::size_t face,
@@ -104,7 +104,7 @@ inline std::string model(const std::string& name)
   return {};
 }
 
-// Reads a shared model.  Returns false if it does not exist.
+// Reads a shared model. Returns false if it does not exist.
 template <typename Mesh>
 bool read_model(const std::string& name, Mesh& mesh)
 {

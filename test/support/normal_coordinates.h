@@ -25,7 +25,7 @@
 
 namespace CGAL::Geodesic_processing::test {
 
-// Returns the logarithm of a point of the unit sphere at the origin of a frame.  The plane of the
+// Returns the logarithm of a point of the unit sphere at the origin of a frame. The plane of the
 // frame is tangent to a mesh, so its vectors are first projected to the tangent plane of the
 // sphere.
 template <typename Frame, typename Point_3>
@@ -61,7 +61,7 @@ double mean_error_on_sphere(const Map& map, PointOf point)
 }
 
 // A square patch of the pseudosphere, of curvature -1, as a grid of n x n squares in normal
-// coordinates (n is even).  The coordinates reach 0.6 along the axes, and `base` is the center.  In
+// coordinates (n is even). The coordinates reach 0.6 along the axes, and `base` is the center. In
 // the upper half-plane model, of which the pseudosphere is the part above 1, the base is at (0,
 // 2.4).
 struct Hyperbolic_patch
@@ -161,7 +161,7 @@ inline double fitted_coefficient(const Measure_asymptotics& measure,
 }
 
 // Returns the maximum of |d(x, y) - |f(x) - f(y)|| / |f(y)|^2 over the neighbors y of the base and
-// all vertices x up to a radius, with f(base) = 0.  Only for normal coordinates f it stays bounded
+// all vertices x up to a radius, with f(base) = 0. Only for normal coordinates f it stays bounded
 // as edges get shorter.
 template <typename Mesh, typename Vertex, typename Map>
 double departure_from_linearity(const Mesh& mesh, Vertex base, double radius, const Map& f)

@@ -41,7 +41,7 @@ struct Topology
 // The corner opposite to each directed edge of a triangle.
 using Opposite_corners = std::map<std::pair<Index, Index>, Index>;
 
-// Returns the number of triangles in the fan around p that contains one of its triangles.  It is the
+// Returns the number of triangles in the fan around p that contains one of its triangles. It is the
 // number of all triangles at p if the surface is a manifold there.
 inline std::size_t size_of_fan_at(Index p, const Opposite_corners& opposite_corner)
 {
@@ -65,7 +65,7 @@ inline std::size_t size_of_fan_at(Index p, const Opposite_corners& opposite_corn
   return number;
 }
 
-// Computes the topology of a triangle soup.  Points without a triangle are ignored.
+// Computes the topology of a triangle soup. Points without a triangle are ignored.
 inline Topology topology(const std::vector<Index>& corners)
 {
   Topology result;

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-// Small triangulated surfaces.  Triangles are counterclockwise seen from outside or from above.
+// Small triangulated surfaces. Triangles are counterclockwise seen from outside or from above.
 
 namespace CGAL::Geodesic_processing::test {
 
@@ -56,8 +56,8 @@ inline Triangulation tetrahedron()
           {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}};
 }
 
-// A grid of columns x rows squares, each divided by a diagonal.  Corner (i, j) is point i +
-// (columns + 1) j at position(i / columns, j / rows).  If `jitter` is positive, diagonals are
+// A grid of columns x rows squares, each divided by a diagonal. Corner (i, j) is point i +
+// (columns + 1) j at position(i / columns, j / rows). If `jitter` is positive, diagonals are
 // random and inner points are moved by up to `jitter` times the size of a square.
 inline Triangulation grid(std::size_t columns, std::size_t rows,
                           const std::function<Point(double, double)>& position, double jitter = 0.,
@@ -87,7 +87,7 @@ inline Triangulation grid(std::size_t columns, std::size_t rows,
   return result;
 }
 
-// The unit square in the plane.  Up to a jitter of 0.25 no triangle is inverted.
+// The unit square in the plane. Up to a jitter of 0.25 no triangle is inverted.
 inline Triangulation square(std::size_t n, double jitter = 0., unsigned seed = 1)
 {
   return grid(
@@ -109,8 +109,8 @@ inline Triangulation graded_square(std::size_t n)
       0.2, 5);
 }
 
-// Circles around an axis of n points each.  Circle j has the radius radius(j / number_of_rings) and
-// the height height(j / number_of_rings), and is rotated by j * twist steps.  Open at both ends.
+// Circles around an axis of n points each. Circle j has the radius radius(j / number_of_rings) and
+// the height height(j / number_of_rings), and is rotated by j * twist steps. Open at both ends.
 inline Triangulation rings(std::size_t n, std::size_t number_of_rings,
                            const std::function<double(double)>& radius,
                            const std::function<double(double)>& height, double twist = 0.5)
@@ -150,7 +150,7 @@ inline Triangulation cylinder(std::size_t n, std::size_t number_of_rings, double
 }
 
 // A fan of n congruent triangles with the total angle `total` and edges of length 1 at point 0,
-// surrounded by rings of the same shape.  It is intrinsically flat except at the center.  For total
+// surrounded by rings of the same shape. It is intrinsically flat except at the center. For total
 // < 2 pi it is a cone; otherwise a saddle that is folded up and down alternately (n must be even).
 //
 // Point 0 is the center; point 1 + n j + i has the direction i and the distance j + 1.
@@ -245,7 +245,7 @@ inline Triangulation icosphere(unsigned level)
   return result;
 }
 
-// The boundary of the union of unit cubes of a grid of nx x ny x nz.  It can have any genus, and is
+// The boundary of the union of unit cubes of a grid of nx x ny x nz. It can have any genus, and is
 // nonmanifold if two cubes meet only in an edge or a vertex.
 inline Triangulation blocks(int nx, int ny, int nz,
                             const std::function<bool(int, int, int)>& is_full)
@@ -341,7 +341,7 @@ inline Triangulation disjoint_union(Triangulation a, const Triangulation& b)
   return a;
 }
 
-// Reads a file in OFF format with triangles only.  Returns an empty surface if the file does not
+// Reads a file in OFF format with triangles only. Returns an empty surface if the file does not
 // exist.
 inline Triangulation read_off(const std::string& file)
 {

@@ -31,7 +31,7 @@ using internal::Base_coordinates;
 /// length.
 enum class Base_coordinates
 {
-  /// areas of planar triangles whose edge lengths are the lengths of the base edges and the
+  /// Areas of planar triangles whose edge lengths are the lengths of the base edges and the
   /// geodesic distances to the corners. They preserve distances if the surface is flat.
   /// \cgalCite{cgal:pc-grfp-03}
   heron,

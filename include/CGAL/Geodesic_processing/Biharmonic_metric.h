@@ -19,7 +19,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// computes biharmonic distances \cgalCite{cgal:lrf-bd-10}. They are smooth everywhere and depend
+/// Computes biharmonic distances \cgalCite{cgal:lrf-bd-10}. They are smooth everywhere and depend
 /// on the whole surface, but they are not lengths of paths. They serve as a comparison for
 /// `Transport_metric`.
 ///
@@ -35,7 +35,7 @@ public:
   using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
-  /// precomputes the factorization, which takes about O(n<SUP>1.5</SUP>) time.
+  /// Precomputes the factorization, which takes about O(n<SUP>1.5</SUP>) time.
   ///
   /// \param surface the surface
   /// \param np named parameters of `make_domain()`
@@ -44,17 +44,17 @@ public:
   explicit Biharmonic_metric(const Surface& surface, const NamedParameters& np = NamedParameters())
       : Biharmonic_metric(Domain(surface, np))
   {}
-  /// uses an existing `domain`, which is shared. The time is that for a surface.
+  /// Uses an existing `domain`, which is shared. The time is that for a surface.
   /// \throws Unsupported_surface_error if no triangle has positive area
   explicit Biharmonic_metric(const Domain& domain)
       : m_domain(domain),
         m_distances(std::make_shared<const internal::Biharmonic_distances>(*domain.triangles()))
   {}
 
-  /// returns the domain of the surface. O(1).
+  /// Returns the domain of the surface. O(1).
   const Domain& domain() const { return m_domain; }
 
-  /// returns the distance between two vertices, surfels or locations. Takes two solutions of a
+  /// Returns the distance between two vertices, surfels or locations. Takes two solutions of a
   /// linear system.
   ///
   /// \tparam P, Q a vertex, a surfel or a location
@@ -66,7 +66,7 @@ public:
     return pairs({internal::location(m_domain, p), internal::location(m_domain, q)})(0, 1);
   }
 
-  /// writes the distance from one location to every vertex or surfel. The first call takes one
+  /// Writes the distance from one location to every vertex or surfel. The first call takes one
   /// solution of a linear system per vertex, each later call takes two.
   ///
   /// \tparam Concurrency_tag as for `Transport_metric::write_distances()`
@@ -90,7 +90,7 @@ public:
     m_domain.write([&](internal::Index vertex) { return t.scale * found[vertex]; }, distance_map);
   }
 
-  /// returns the distances of all pairs of locations, as a symmetric matrix. Takes one solution of
+  /// Returns the distances of all pairs of locations, as a symmetric matrix. Takes one solution of
   /// a linear system and O(k n) time for each of k locations.
   ///
   /// \tparam Locations a vertex, surfel or location, or a range of these

@@ -21,19 +21,19 @@ namespace CGAL::Geodesic_processing {
 /// \addtogroup PkgGeodesicProcessingTransport
 /// @{
 
-/// selects an interior point method for the second-order cone program. It takes few iterations,
-/// each with a factorization, and reaches any gap.  \cgalCite{cgal:v-cvxopt-10}
+/// Selects an interior point method for the second-order cone program. It takes few iterations,
+/// each with a factorization, and reaches any gap. \cgalCite{cgal:v-cvxopt-10}
 struct Interior_point
 {};
 
-/// selects the alternating direction method of multipliers (ADMM). It takes many cheap
+/// Selects the alternating direction method of multipliers (ADMM). It takes many cheap
 /// iterations, uses one factorization for all queries, and is suited for gaps of a percent.
 /// \cgalCite{cgal:srgb-emd-14}, section 5
 struct Alternating_directions
 {};
 
-/// selects iteratively reweighted least squares, for comparison. Each iteration takes a
-/// factorization, and the gap stalls at about a percent.  \cgalCite{cgal:srgb-emd-14}, figure 4
+/// Selects iteratively reweighted least squares, for comparison. Each iteration takes a
+/// factorization, and the gap stalls at about a percent. \cgalCite{cgal:srgb-emd-14}, figure 4
 struct Weiszfeld
 {};
 
@@ -50,7 +50,7 @@ constexpr Transport_method transport_method()
 
 } // namespace internal
 
-/// gives access to the potential and the flow of the last query of a solver.
+/// Gives access to the potential and the flow of the last query of a solver.
 ///
 /// Members that write a property map take O(n) time. Other members that do not state their time
 /// take O(1) time.
@@ -63,17 +63,17 @@ public:
   using Domain = internal::Domain_of<Surface>;
   using Vertex = typename Domain::Vertex;
 
-  /// returns the domain of the surface.
+  /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
-  /// returns the potential at a vertex or surfel. The potential increases along the flow, with
+  /// Returns the potential at a vertex or surfel. The potential increases along the flow, with
   /// slope at most one. Its integral over the target mass minus that over the source mass is the
   /// lower bound.
   /// \param vertex a vertex or surfel of the surface
   /// \pre `compute()` was called
   double potential(Vertex vertex) const { return m_result.potential[m_domain.index(vertex)]; }
 
-  /// writes the potential of each vertex or surfel, a `double`, to a property map.
+  /// Writes the potential of each vertex or surfel, a `double`, to a property map.
   /// \tparam PotentialMap a model of `WritablePropertyMap` with vertices or surfels as keys
   /// \param map receives the potential
   /// \pre `compute()` was called
@@ -83,7 +83,7 @@ public:
     m_domain.write([&](internal::Index i) { return m_result.potential[i]; }, map);
   }
 
-  /// writes the flow to a property map: a `Vector_3` for each face of a mesh or each surfel of a
+  /// Writes the flow to a property map: a `Vector_3` for each face of a mesh or each surfel of a
   /// cloud, in mass per unit length of a line across it. If the surface was refined, this is the
   /// mean over the triangles of a face.
   /// \tparam FlowMap a model of `WritablePropertyMap` with faces or surfels as keys and `Vector_3`
@@ -96,7 +96,7 @@ public:
     internal::write_vectors(m_domain, m_result.flow, map);
   }
 
-  /// writes the likelihood that mass passes each vertex or surfel, a number in [0, 1]. It is the
+  /// Writes the likelihood that mass passes each vertex or surfel, a number in [0, 1]. It is the
   /// mean length of the flow in the incident triangles, divided by its maximum. Smoothing takes one
   /// factorization.
   ///
@@ -129,7 +129,7 @@ public:
                    map);
   }
 
-  /// returns a tracer of streamlines of the flow of the last query.
+  /// Returns a tracer of streamlines of the flow of the last query.
   ///
   /// \param np
   /// \cgalNamedParamsBegin
@@ -152,7 +152,7 @@ public:
             internal::parameter(np, internal_np::do_straighten, true)};
   }
 
-  /// writes the potential and the flow to the property maps `potential_map` and `flow_map` of `np`,
+  /// Writes the potential and the flow to the property maps `potential_map` and `flow_map` of `np`,
   /// if it has them.
   /// \pre `compute()` was called
   template <typename NamedParameters>
@@ -188,7 +188,7 @@ protected:
   internal::Transport_result m_result;
 };
 
-/// computes earth mover's distances between mass distributions on one surface.
+/// Computes earth mover's distances between mass distributions on one surface.
 ///
 /// The earth mover's distance is the 1-Wasserstein distance whose cost is the length of paths. It
 /// is the minimum of the integral of the length of a flow. The divergence of this flow must be the
@@ -220,7 +220,7 @@ class Earth_movers_solver : public Transport_solution<Surface>
 public:
   using typename Base::Domain;
 
-  /// factorizes the Laplacian on the last two refinement levels. About 1 KB per vertex.
+  /// Factorizes the Laplacian on the last two refinement levels. About 1 KB per vertex.
   ///
   /// \param surface the surface, as for `geodesic_distances()`
   /// \param np named parameters of `make_domain()`, and the following
@@ -264,14 +264,14 @@ public:
                                const NamedParameters& np = NamedParameters())
       : Earth_movers_solver(Domain(surface, np), np)
   {}
-  /// uses an existing `domain`, which is shared. The time and `np` are as for a surface.
+  /// Uses an existing `domain`, which is shared. The time and `np` are as for a surface.
   /// \throws as for a surface, except for the exceptions of `make_domain()`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Earth_movers_solver(const Domain& domain, const NamedParameters& np = NamedParameters())
       : Base(domain, np)
   {}
 
-  /// computes the distance between two mass distributions. This replaces the potential and the
+  /// Computes the distance between two mass distributions. This replaces the potential and the
   /// flow of the last query.
   ///
   /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
@@ -322,7 +322,7 @@ public:
   ///         if a total mass that must be normalized is not positive
   /// \throws Invalid_argument_error if the tolerance is not positive
   /// \throws Unsupported_surface_error if `do_bound_from_above` is set on a cloud
-  /// \throws Cancelled if the callback returns false.  The results of the last call remain valid.
+  /// \throws Cancelled if the callback returns false. The results of the last call remain valid.
   ///
   /// The default method takes 5 to 20 iterations of O(n<SUP>1.5</SUP>) to a gap of 0.1 percent.
   template <typename Method = Interior_point, typename From, typename To,

@@ -33,7 +33,7 @@ struct Geodesic_departure
 
   Location from;                    ///< the starting point on the source
   Vector_3 direction = NULL_VECTOR; ///< unit vector; zero if there is no path or its length is zero
-  /// The polar angle of the direction around `from`, in radians, counterclockwise.  The reference
+  /// The polar angle of the direction around `from`, in radians, counterclockwise. The reference
   /// direction is the same for all departures from `from`.
   double polar_angle = 0.;
   /// The length of the path, without the offset of the source; infinite if there is no path.
@@ -45,9 +45,9 @@ struct Geodesic_departure
 /// Computes geodesic distances for many queries on one surface.
 ///
 /// The cost of a query depends on the number of vertices or surfels that it reaches, not on the
-/// size of the surface.  `Heat` is an exception: each of its queries is global.  Copies share the
-/// domain, and different copies can compute concurrently.  On a mesh, the fronts precompute a copy
-/// of the one-ring of each vertex.  This takes less time than a query on the whole mesh.  Together
+/// size of the surface. `Heat` is an exception: each of its queries is global. Copies share the
+/// domain, and different copies can compute concurrently. On a mesh, the fronts precompute a copy
+/// of the one-ring of each vertex. This takes less time than a query on the whole mesh. Together
 /// with the result, it takes about 280 bytes per vertex in addition to the domain.
 ///
 /// Before the first computation, no vertex or surfel is reached. Members that write a property map
@@ -76,8 +76,8 @@ public:
                                     const NamedParameters& np = NamedParameters())
       : Geodesic_distance_solver(Domain(surface, np))
   {}
-  /// Uses an existing `domain`, which is shared.  The fronts on a mesh copy its one-rings in O(n)
-  /// time.  `Heat` factorizes two matrices, each in about O(n<SUP>1.5</SUP>) time.
+  /// Uses an existing `domain`, which is shared. The fronts on a mesh copy its one-rings in O(n)
+  /// time. `Heat` factorizes two matrices, each in about O(n<SUP>1.5</SUP>) time.
   explicit Geodesic_distance_solver(const Domain& domain)
       : Geodesic_distance_solver(domain, internal::distance_method<Method>())
   {}
@@ -90,7 +90,7 @@ public:
   /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
-  /// Computes distances to the nearest source.  The result replaces that of the last call.
+  /// Computes distances to the nearest source. The result replaces that of the last call.
   ///
   /// \tparam Sources a vertex, a surfel, a location, a `Source`, or a range of one of these
   /// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of
@@ -147,14 +147,14 @@ public:
   /// \throws Unsupported_surface_error if a speed map is given and the method does not support
   ///         speeds, if the relative tolerance is positive and the method is not exact, or if
   ///         `Exact` exceeds its limit of windows
-  /// \throws Cancelled if the callback returns false.  Then only vertices or surfels whose
+  /// \throws Cancelled if the callback returns false. Then only vertices or surfels whose
   ///         distances were final are reached, also if the callback throws an exception.
   ///
   /// After an `Invalid_argument_error` or an `Unsupported_surface_error` the results of the last
   /// computation remain, unless the limit of windows was exceeded. Then nothing is reached.
   ///
-  /// Takes O(m log m) time if m vertices or surfels are reached.  `Exact` takes O(m<SUP>1.5</SUP>)
-  /// time in practice.  `Heat` takes back substitutions on the whole surface.
+  /// Takes O(m log m) time if m vertices or surfels are reached. `Exact` takes O(m<SUP>1.5</SUP>)
+  /// time in practice. `Heat` takes back substitutions on the whole surface.
   template <typename Sources, typename NamedParameters = internal::Default_parameters>
   void compute(const Sources& sources, const NamedParameters& np = NamedParameters())
   {
@@ -180,7 +180,7 @@ public:
   {
     return scale() * m_engine.distance(m_domain.index(vertex));
   }
-  /// Returns the distance of any location on the surface; +infinity if no source reaches it.  With
+  /// Returns the distance of any location on the surface; +infinity if no source reaches it. With
   /// `Exact`, a location inside a face takes a search whose time depends on the visited faces.
   /// \param location a location on the surface
   /// \throws Invalid_argument_error if the location is not on the surface
@@ -189,7 +189,7 @@ public:
     return scale() * m_engine.distance(m_domain.inner(location));
   }
   /// Returns a certified lower bound of the exact polyhedral distance of a vertex, up to round-off
-  /// errors; +infinity if no source reaches it.  It equals `upper()` unless the mesh has triangles
+  /// errors; +infinity if no source reaches it. It equals `upper()` unless the mesh has triangles
   /// whose longest edge exceeds their height more than 30 times, or the computation had a
   /// `relative_tolerance`. In the latter case `distance()` is the mean of both, up to the errors of
   /// these triangles.
@@ -197,11 +197,11 @@ public:
   /// \param vertex a vertex of the mesh
   /// \throws Unsupported_surface_error if `Automatic` did not use `Exact` in the last computation
   double lower(Vertex vertex) const { return scale() * windows().lower(m_domain.index(vertex)); }
-  /// Returns a certified upper bound, as `lower()`.  It is the length of a path.
+  /// Returns a certified upper bound, as `lower()`. It is the length of a path.
   /// \param vertex a vertex of the mesh
   /// \throws Unsupported_surface_error as `lower()`
   double upper(Vertex vertex) const { return scale() * windows().upper(m_domain.index(vertex)); }
-  /// Returns a certified lower bound of the distance of any location, as that of a vertex.  The
+  /// Returns a certified lower bound of the distance of any location, as that of a vertex. The
   /// time is that of `distance()`.
   /// \param location a location on the mesh
   /// \throws Unsupported_surface_error as `lower()`
@@ -210,7 +210,7 @@ public:
   {
     return scale() * windows().bounds(m_domain.inner(location)).lower;
   }
-  /// Returns a certified upper bound of the distance of any location, as that of a vertex.  The
+  /// Returns a certified upper bound of the distance of any location, as that of a vertex. The
   /// time is that of `distance()`.
   /// \param location a location on the mesh
   /// \throws Unsupported_surface_error as `lower()`
@@ -222,7 +222,7 @@ public:
   /// Writes the distance of each location of a range to an output iterator; +infinity if no source
   /// reaches it.
   ///
-  /// With `Exact`, the distance of a location inside a face takes a separate search.  Without a
+  /// With `Exact`, the distance of a location inside a face takes a separate search. Without a
   /// relative tolerance, this function takes one more computation for all locations.
   /// \tparam Locations a vertex, surfel or location, or a range of these
   /// \tparam OutputIterator a model of `OutputIterator` for `double`
@@ -240,15 +240,15 @@ public:
   /// Returns the label of the nearest source; the largest `std::size_t` if no source reaches
   /// `vertex`.
   std::size_t source_label(Vertex vertex) const { return label(m_domain.index(vertex)); }
-  /// Returns a neighbor that is closer to the source.  The shortest path arrives through a triangle
-  /// with this neighbor, or along the edge to it.  Returns `vertex` itself at sources, and if no
+  /// Returns a neighbor that is closer to the source. The shortest path arrives through a triangle
+  /// with this neighbor, or along the edge to it. Returns `vertex` itself at sources, and if no
   /// source reaches it.
   Vertex predecessor(Vertex vertex) const
   {
     return m_domain.vertex(predecessor_index(m_domain.index(vertex)));
   }
   /// Returns the vertices or surfels that were reached, approximately in the order of their
-  /// distances.  Takes linear time in their number.
+  /// distances. Takes linear time in their number.
   std::vector<Vertex> reached() const
   {
     std::vector<Vertex> result;
@@ -258,10 +258,10 @@ public:
     return result;
   }
   /// Returns the path from a vertex, surfel or location to its nearest source; empty if no source
-  /// reaches it.  With `Exact`, the default on meshes, its length equals the distance, up to the
-  /// errors of thin triangles (see `Exact`).  With a
-  /// relative tolerance or another method, it is a locally shortest path.  With different speeds, it
-  /// is a fast path instead; see `geodesic_path()`.  Takes time proportional to the number of
+  /// reaches it. With `Exact`, the default on meshes, its length equals the distance, up to the
+  /// errors of thin triangles (see `Exact`). With a
+  /// relative tolerance or another method, it is a locally shortest path. With different speeds, it
+  /// is a fast path instead; see `geodesic_path()`. Takes time proportional to the number of
   /// visited faces; with different speeds, O(m log m) time for m faces near the path.
   /// \tparam QueryLocation a vertex, a surfel or a location
   /// \param from a vertex, a surfel or a location
@@ -294,7 +294,7 @@ public:
 
   /// Returns all shortest paths from a vertex or location to the sources, but at most 64 paths, and
   /// none if no source reaches it.
-  /// On the cut locus, there are two or more.  The method must be `Exact` or `Automatic`.  Takes
+  /// On the cut locus, there are two or more. The method must be `Exact` or `Automatic`. Takes
   /// time proportional to the number of visited faces.
   ///
   /// \tparam QueryLocation a vertex or a location
@@ -327,8 +327,8 @@ public:
       result.push_back(internal::surface_path(m_domain, path, distance));
     return result;
   }
-  /// Returns the departure of the shortest path to a vertex or location from its source.  The
-  /// method must be `Exact` or `Automatic`.  Takes time proportional to the number of visited faces.
+  /// Returns the departure of the shortest path to a vertex or location from its source. The
+  /// method must be `Exact` or `Automatic`. Takes time proportional to the number of visited faces.
   /// \tparam QueryLocation a vertex or a location
   /// \param to a vertex or a location
   /// \throws Unsupported_surface_error if `Automatic` did not use `Exact` in the last computation,

@@ -38,14 +38,14 @@ Surface_path<typename Domain::Surface> surface_path(const Domain& domain, const 
 /// Computes paths between pairs of vertices, surfels or locations without a distance field.
 ///
 /// On a mesh, an A* search on edges, and on segments across unfolded adjacent faces, finds a path,
-/// which is then shortened to a locally shortest path.  Its length bounds an exact search: only
+/// which is then shortened to a locally shortest path. Its length bounds an exact search: only
 /// windows of `Exact` that may belong to a shorter path are propagated, from one end towards the
-/// other.  The cost of a query is that of the visited faces.
+/// other. The cost of a query is that of the visited faces.
 ///
-/// On a cloud, paths are those of `Surfel_path_finder`, which minimizes an energy.  `initial_path`
+/// On a cloud, paths are those of `Surfel_path_finder`, which minimizes an energy. `initial_path`
 /// of a result is the graph path from which the minimization starts.
 ///
-/// Queries use the memory of the finder, so they are not `const`.  Copies share the domain, and
+/// Queries use the memory of the finder, so they are not `const`. Copies share the domain, and
 /// different copies can be used concurrently.
 ///
 /// \tparam Surface as for `geodesic_distances()`, but not a domain
@@ -58,7 +58,7 @@ public:
   using Domain = internal::Domain_of<Surface>;
   using Path = Geodesic_path<Surface>;
 
-  /// Precomputes the domain of the surface.  O(n) time on a mesh; on a cloud O(n log n), as
+  /// Precomputes the domain of the surface. O(n) time on a mesh; on a cloud O(n log n), as
   /// `Surfel_path_finder`.
   ///
   /// \param surface a mesh or a cloud
@@ -69,18 +69,18 @@ public:
                                 const NamedParameters& np = NamedParameters())
       : Geodesic_path_finder(Domain(surface, np), np)
   {}
-  /// Uses an existing `domain`, which is shared.  The time and `np` are as for a surface.
+  /// Uses an existing `domain`, which is shared. The time and `np` are as for a surface.
   /// \throws on a cloud as `Surfel_path_finder`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_path_finder(const Domain& domain, const NamedParameters& np = NamedParameters())
       : m_domain(domain), m_finder(finder(domain, np))
   {}
 
-  /// Returns the domain of the surface.  O(1).
+  /// Returns the domain of the surface. O(1).
   const Domain& domain() const { return m_domain; }
 
   /// Improves the lower bounds of the search on a mesh by the distances from `number` landmarks:
-  /// vertices far from each other.  \cgalCite{cgal:gh-cspas-05}  Each landmark takes one search on
+  /// vertices far from each other. \cgalCite{cgal:gh-cspas-05}  Each landmark takes one search on
   /// the whole mesh, so that landmarks pay off for hundreds of queries.
   void add_landmarks(unsigned number)
   {
@@ -89,7 +89,7 @@ public:
   }
 
   /// Returns a shortest path from one vertex, surfel or location to another; empty if they are not
-  /// connected.  On a cloud, the path is locally shortest.  Takes time proportional to the number
+  /// connected. On a cloud, the path is locally shortest. Takes time proportional to the number
   /// of visited faces; on a cloud as `Surfel_path_finder::operator()`.
   /// \tparam FromLocation, ToLocation a vertex, a surfel or a location
   /// \param from, to vertices, surfels or locations
@@ -107,7 +107,7 @@ public:
   /// Returns a locally shortest path; empty if the ends are not connected.
   ///
   /// On scans that are meshes, it takes a few milliseconds at most, and the path is on average a
-  /// few hundredths of a percent longer than the shortest path.  On other meshes it can be a third
+  /// few hundredths of a percent longer than the shortest path. On other meshes it can be a third
   /// longer.
   /// \tparam FromLocation, ToLocation a vertex, a surfel or a location
   /// \param from, to vertices, surfels or locations
@@ -123,7 +123,7 @@ public:
                                                    internal::location(m_domain, to)));
   }
   /// Shortens a polyline to a locally shortest path with the same ends; empty if consecutive
-  /// locations are not connected.  Short paths of the search join consecutive locations.
+  /// locations are not connected. Short paths of the search join consecutive locations.
   /// Each takes the time of `locally_shortest_path()`.
   ///
   /// \tparam Polyline a range of vertices, surfels or locations

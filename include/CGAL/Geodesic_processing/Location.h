@@ -55,7 +55,7 @@ struct Is_cloud<Surface, std::void_t<decltype(std::declval<const Surface&>().beg
     : std::true_type
 {};
 
-// The kernel of elements for which it is unknown.  It compiles as long as no point is constructed.
+// The kernel of elements for which it is unknown. It compiles as long as no point is constructed.
 template <typename Element>
 struct Unknown_kernel
 {

@@ -36,7 +36,7 @@ typename boost::graph_traits<TriangleMesh>::face_descriptor face_of(Halfedge h,
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// represents a triangle mesh for all algorithms of this package: its triangles, their adjacency
+/// Represents a triangle mesh for all algorithms of this package: its triangles, their adjacency
 /// and their edge lengths. It is returned by `make_domain()` and can be passed to functions instead
 /// of the mesh. It is immutable, and copies are cheap, since they share the data.
 ///
@@ -59,7 +59,7 @@ public:
   using Point_3 = typename Traits::Point_3;
   using Vector_3 = typename Traits::Vector_3;
 
-  /// constructs the domain by reading the mesh once. O(n).
+  /// Constructs the domain by reading the mesh once. O(n).
   ///
   /// \param mesh a triangle mesh
   /// \param np
@@ -80,17 +80,17 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Mesh_domain(const TriangleMesh& mesh, const NamedParameters& np = NamedParameters());
 
-  /// returns the number of vertices, of a soup without points that have been merged with earlier
+  /// Returns the number of vertices, of a soup without points that have been merged with earlier
   /// ones. The number of keys of a map is therefore `num_vertices(mesh())`. O(1).
   std::size_t number_of_vertices() const { return m_data->vertices.size(); }
 
-  /// returns the point of a location. O(1).
+  /// Returns the point of a location. O(1).
   /// \param location a location on the mesh
   /// \throws Invalid_argument_error if the face is not in the mesh, or if the barycentric
   ///         coordinates are negative or do not sum to one
   Point_3 point(const Location& location) const { return point(inner(location)); }
 
-  /// returns the mesh, which must not have been destroyed or moved. O(1).
+  /// Returns the mesh, which must not have been destroyed or moved. O(1).
   const TriangleMesh& mesh() const { return *m_mesh; }
 
   /// \cond INTERNAL
@@ -144,7 +144,7 @@ protected:
     Map<Face, dynamic_face_property_t<internal::Index>> triangle_of_face;
     std::vector<Vertex> vertices; // #vertices
     std::vector<Face> faces;      // #triangles
-    // Vertices of a soup that were merged, in increasing order.  They have the index of the vertex
+    // Vertices of a soup that were merged, in increasing order. They have the index of the vertex
     // that replaces them.
     std::vector<Vertex> merged_vertices;
     // The minimum and maximum descriptors. The maps must not be read outside of these ranges.

@@ -16,7 +16,7 @@ namespace CGAL::Geodesic_processing {
 namespace internal {
 
 // Creates an exit for each source of the region, from its vertices or, if it has other locations,
-// from its polyline.  Reads `capacities` and `spreading_weight`.  Throws Invalid_argument_error
+// from its polyline. Reads `capacities` and `spreading_weight`. Throws Invalid_argument_error
 // as sources().
 template <typename Domain, typename Region, typename NamedParameters>
 Transport_region transport_region(const Domain& domain, const Region& region,
@@ -50,7 +50,7 @@ Transport_region transport_region(const Domain& domain, const Region& region,
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the minimum cost of moving mass distributions to one region, for example the exits of
+/// Computes the minimum cost of moving mass distributions to one region, for example the exits of
 /// a building, or a curve.
 ///
 /// The distribution of arriving masses is a variable: each mass takes a shortest path to the
@@ -87,7 +87,7 @@ public:
   using typename Base::Domain;
   using typename Base::Vertex;
 
-  /// embeds the curves of the region and factorizes as `Earth_movers_solver`, which takes most of
+  /// Embeds the curves of the region and factorizes as `Earth_movers_solver`, which takes most of
   /// the time.
   ///
   /// \tparam Region a vertex, a surfel, a location, a `Source`, or a range of one of these
@@ -119,7 +119,7 @@ public:
                           const NamedParameters& np = NamedParameters())
       : Region_transport_solver(Domain(surface, np), region, np)
   {}
-  /// uses an existing `domain`, which is shared. The time, `Region`, `region` and `np` are as for a
+  /// Uses an existing `domain`, which is shared. The time, `Region`, `region` and `np` are as for a
   /// surface.
   /// \throws as for a surface, except for the exceptions of `make_domain()`
   template <typename Region, typename NamedParameters = internal::Default_parameters>
@@ -128,7 +128,7 @@ public:
       : Base(domain, np, internal::transport_region(domain, region, np))
   {}
 
-  /// computes the minimum cost of moving masses to the region, and replaces the result of the
+  /// Computes the minimum cost of moving masses to the region, and replaces the result of the
   /// last call.
   ///
   /// \tparam Method as for `Earth_movers_solver::compute()`; only `Interior_point` if there are
@@ -162,14 +162,14 @@ public:
   }
 #endif
 
-  /// returns whether a path leads from a vertex or surfel to the region.
+  /// Returns whether a path leads from a vertex or surfel to the region.
   /// \param vertex a vertex or surfel of the surface
   bool is_reachable(Vertex vertex) const
   {
     return this->m_kernel->is_region_reachable()[this->m_domain.index(vertex)];
   }
 
-  /// returns the mass that arrives at a vertex or surfel; zero outside of the region.
+  /// Returns the mass that arrives at a vertex or surfel; zero outside of the region.
   /// \param vertex a vertex or surfel of the surface
   /// \pre `compute()` was called
   double arrival(Vertex vertex) const
@@ -177,7 +177,7 @@ public:
     return this->m_result.arrivals[this->m_domain.index(vertex)];
   }
 
-  /// writes the mass that arrives at each vertex or surfel, a `double`, to a property map. O(n).
+  /// Writes the mass that arrives at each vertex or surfel, a `double`, to a property map. O(n).
   /// \tparam ArrivalMap a model of `WritablePropertyMap` with vertices or surfels as keys
   /// \param map receives the arriving masses
   /// \pre `compute()` was called

@@ -19,7 +19,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// represents a polygon soup for all algorithms of this package: points, and polygons that refer to
+/// Represents a polygon soup for all algorithms of this package: points, and polygons that refer to
 /// points by their indices. It is returned by `make_domain()` and can be passed to every function
 /// that accepts a mesh. The soup need not be a manifold, and its polygons need not be triangles or
 /// be oriented.
@@ -51,7 +51,7 @@ class Soup_domain : public Mesh_domain<Surface_mesh<Point>>
   using Index = internal::Index;
 
 public:
-  /// constructs the domain from a polygon soup. O(n).
+  /// Constructs the domain from a polygon soup. O(n).
   ///
   /// \tparam PointRange as for `make_domain()`
   /// \tparam PolygonRange as for `make_domain()`
@@ -64,10 +64,10 @@ public:
   Soup_domain(const PointRange& points, const PolygonRange& polygons,
               const NamedParameters& np = NamedParameters());
 
-  /// returns what was changed, and the topology of the surface. O(1).
+  /// Returns what was changed, and the topology of the surface. O(1).
   const Soup_report& report() const { return m_content->report; }
 
-  /// returns the position of the polygon that contains a face of the mesh. O(1).
+  /// Returns the position of the polygon that contains a face of the mesh. O(1).
   /// \param face a face of `mesh()`
   std::size_t polygon(typename Surface_mesh<Point>::Face_index face) const
   {
@@ -187,7 +187,7 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// constructs the domain of a polygon soup. It repairs the soup in this order: merges points,
+/// Constructs the domain of a polygon soup. It repairs the soup in this order: merges points,
 /// triangulates polygons, removes faces that are degenerate or duplicates, flips as few triangles
 /// as possible for a consistent orientation, and splits the surface at edges that have three or
 /// more triangles or no consistent orientation. `Soup_domain::report()` has the number of each
@@ -244,7 +244,7 @@ make_domain(const PointRange& points, const PolygonRange& polygons,
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// returns the domain of the mesh of the soup, so that functions accept a soup. O(1).
+/// Returns the domain of the mesh of the soup, so that functions accept a soup. O(1).
 ///
 /// \tparam Concurrency_tag has no effect
 /// \tparam Point a point of a model of `Kernel`

@@ -9,44 +9,44 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// contains what `make_domain()` changed in a polygon soup, and the topology of the surface that
+/// Contains what `make_domain()` changed in a polygon soup, and the topology of the surface that
 /// resulted. All members are numbers.
 struct Soup_report
 {
-  /// points that were replaced by an earlier point within `merge_tolerance`
+  /// Points that were replaced by an earlier point within `merge_tolerance`
   std::size_t number_of_merged_points = 0;
-  /// polygons with more than three corners, which were divided into triangles
+  /// Polygons with more than three corners, which were divided into triangles
   std::size_t number_of_triangulated_polygons = 0;
-  /// polygons that were removed because they have fewer than three distinct corners, and triangles
+  /// Polygons that were removed because they have fewer than three distinct corners, and triangles
   /// without area if `do_remove_degenerate_faces` is true
   std::size_t number_of_degenerate_faces = 0;
-  /// triangles that were removed because an earlier one has the same corners in the same cyclic
+  /// Triangles that were removed because an earlier one has the same corners in the same cyclic
   /// order
   std::size_t number_of_duplicate_triangles = 0;
-  /// triangles without area in double precision that remain
+  /// Triangles without area in double precision that remain
   std::size_t number_of_triangles_without_area = 0;
-  /// triangles whose orientation was reversed
+  /// Triangles whose orientation was reversed
   std::size_t number_of_flipped_triangles = 0;
-  /// edges at which the surface was split: those of three or more triangles, and those in which a
+  /// Edges at which the surface was split: those of three or more triangles, and those in which a
   /// nonorientable surface meets itself
   std::size_t number_of_split_edges = 0;
-  /// points at which several fans of triangles meet
+  /// Points at which several fans of triangles meet
   std::size_t number_of_nonmanifold_points = 0;
-  /// components of triangles that are connected by edges
+  /// Components of triangles that are connected by edges
   std::size_t number_of_components = 0;
-  /// cycles of boundary edges, after the surface was split at edges and points
+  /// Cycles of boundary edges, after the surface was split at edges and points
   std::size_t number_of_boundary_cycles = 0;
   /// the sum of the genera of all components, after the surface was split
   std::size_t genus = 0;
 
-  /// returns whether the triangles differ from the polygons of the soup. O(1).
+  /// Returns whether the triangles differ from the polygons of the soup. O(1).
   bool is_changed() const
   {
     return number_of_merged_points > 0 || number_of_triangulated_polygons > 0 ||
            number_of_degenerate_faces > 0 || number_of_duplicate_triangles > 0 ||
            number_of_flipped_triangles > 0 || number_of_split_edges > 0;
   }
-  /// returns whether the surface is a manifold without a split. O(1).
+  /// Returns whether the surface is a manifold without a split. O(1).
   bool is_manifold() const
   {
     return number_of_split_edges == 0 && number_of_nonmanifold_points == 0;

@@ -21,7 +21,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingSources
 ///
-/// represents a source of distances: a vertex or surfel, a location, or a polyline on the surface.
+/// Represents a source of distances: a vertex or surfel, a location, or a polyline on the surface.
 /// A source also has an offset, which is its own distance, and a label.
 ///
 /// Consecutive locations of a polyline must be in a common face. A polyline is closed if its first
@@ -40,7 +40,7 @@ public:
   using Location = typename internal::Surface_traits<Surface>::Location;
   using Polyline = std::vector<Location>; ///< consecutive locations
 
-  /// constructs a source at a vertex or surfel.
+  /// Constructs a source at a vertex or surfel.
   /// \param vertex a vertex or surfel
   /// \param offset the distance of the source itself, in the unit of the coordinates; can be
   ///        negative
@@ -49,22 +49,22 @@ public:
       : m_location(vertex), m_offset(offset), m_has_label(label.has_value()),
         m_label(label.value_or(0))
   {}
-  /// constructs a source at a `location`. `offset` and `label` are as for a vertex.
+  /// Constructs a source at a `location`. `offset` and `label` are as for a vertex.
   Source(Location location, double offset = 0., std::optional<std::size_t> label = std::nullopt)
       : m_location(Polyline{std::move(location)}), m_offset(offset), m_has_label(label.has_value()),
         m_label(label.value_or(0))
   {}
-  /// constructs a source along a `polyline`. `offset` and `label` are as for a vertex.
+  /// Constructs a source along a `polyline`. `offset` and `label` are as for a vertex.
   Source(Polyline polyline, double offset = 0., std::optional<std::size_t> label = std::nullopt)
       : m_location(std::move(polyline)), m_offset(offset), m_has_label(label.has_value()),
         m_label(label.value_or(0))
   {}
 
-  /// returns the vertex or the polyline. A single location is a polyline of one location.
+  /// Returns the vertex or the polyline. A single location is a polyline of one location.
   const std::variant<Vertex, Polyline>& location() const { return m_location; }
-  /// returns the offset, in the unit of the coordinates.
+  /// Returns the offset, in the unit of the coordinates.
   double offset() const { return m_offset; }
-  /// returns the label, or `position` if no label was given.
+  /// Returns the label, or `position` if no label was given.
   std::size_t label(std::size_t position) const { return m_has_label ? m_label : position; }
 
 private:
@@ -76,7 +76,7 @@ private:
 
 /// \ingroup PkgGeodesicProcessingSources
 ///
-/// writes a `Source` for each boundary cycle of a triangle mesh: a closed polyline. O(n + b log b)
+/// Writes a `Source` for each boundary cycle of a triangle mesh: a closed polyline. O(n + b log b)
 /// for b halfedges on the boundary.
 ///
 /// \tparam Mesh a model of `FaceListGraph`, or its domain

@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// stores a path along which a flow transports mass. Its `front_distance` is the increase of the
+/// Stores a path along which a flow transports mass. Its `front_distance` is the increase of the
 /// potential from its start to its end. No path between these ends is shorter.
 template <typename Surface>
 struct Streamline : Surface_path<Surface>
@@ -27,9 +27,9 @@ struct Streamline : Surface_path<Surface>
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// traces the streamlines of the flow that a solver computed: the trajectory of each particle of
+/// Traces the streamlines of the flow that a solver computed: the trajectory of each particle of
 /// mass from its source to its target. The velocity is the flow divided by the density of the
-/// mass. A tracer is returned by `Transport_solution::streamlines()`.  \cgalCite{cgal:dm-pdejd-90}
+/// mass. A tracer is returned by `Transport_solution::streamlines()`. \cgalCite{cgal:dm-pdejd-90}
 ///
 /// On a mesh, masses are spread over the faces incident to their vertices, and the flow that leaves
 /// a face enters the adjacent one. Hence streamlines do not cross, and the map from sources to
@@ -61,7 +61,7 @@ public:
   {}
 #endif
 
-  /// traces the streamline from a vertex, surfel or location to the target of the mass there. If
+  /// Traces the streamline from a vertex, surfel or location to the target of the mass there. If
   /// there is no mass, the line follows the flow to its end.
   /// \tparam Vertex_or_location a vertex, a surfel or a location
   /// \param location a vertex, a surfel or a location
@@ -76,7 +76,7 @@ public:
     return line({internal::location(m_domain, location)}, shortener);
   }
 
-  /// writes `number` streamlines, each for an equal fraction of the mass that moves. On a mesh
+  /// Writes `number` streamlines, each for an equal fraction of the mass that moves. On a mesh
   /// they begin at locations that are distributed over this mass.
   /// Each takes O(number of crossed faces or surfels) time. If no mass moves, nothing is written.
   /// \tparam OutputIterator a model of `OutputIterator` for `Streamline<Surface>`
@@ -92,7 +92,7 @@ public:
     return out;
   }
 
-  /// returns the target of the mass at a location: the end of its streamline. The line is not
+  /// Returns the target of the mass at a location: the end of its streamline. The line is not
   /// shortened. Takes O(number of crossed faces or surfels) time.
   /// \tparam Vertex_or_location a vertex, a surfel or a location
   /// \param location a vertex, a surfel or a location
@@ -104,7 +104,7 @@ public:
         (*m_streamlines)({internal::location(m_domain, location)}).locations.back());
   }
 
-  /// writes an assignment of sources to targets: a pair of locations for each of `number` equal
+  /// Writes an assignment of sources to targets: a pair of locations for each of `number` equal
   /// fractions of the mass that moves. Each takes the time of `destination()`.
   /// \tparam OutputIterator a model of `OutputIterator` for pairs of locations
   /// \param number the number of pairs

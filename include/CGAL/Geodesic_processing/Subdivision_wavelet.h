@@ -29,14 +29,14 @@ namespace CGAL::Geodesic_processing {
 enum class Wavelet_prediction
 {
   linear, ///< the mean of the values at both endpoints
-  /// The modified butterfly scheme \cgalCite{cgal:zss-ismat-96}.  If the values are smooth, details
+  /// The modified butterfly scheme \cgalCite{cgal:zss-ismat-96}. If the values are smooth, details
   /// are smaller.
   butterfly
 };
 
 /// \ingroup PkgGeodesicProcessingWavelets
-/// The wavelet coefficients of vertex values: the result of `Subdivision_wavelet::analyze()`.  They
-/// are the values of the coarsest mesh and the details of the finer levels.  They can be modified
+/// The wavelet coefficients of vertex values: the result of `Subdivision_wavelet::analyze()`. They
+/// are the values of the coarsest mesh and the details of the finer levels. They can be modified
 /// before synthesis.
 struct Wavelet_details
 {
@@ -53,16 +53,16 @@ struct Wavelet_details
 /// The wavelet transform on a mesh with subdivision connectivity, by lifting.
 /// \cgalCite{cgal:s-lscsg-98} \cgalCite{cgal:ss-swers-95}
 /// Analysis transforms vertex values to the values of a coarse mesh and details, most of which are
-/// small.  Synthesis inverts it.
+/// small. Synthesis inverts it.
 ///
 /// The mesh must be the result of repeated uniform refinement (1-to-4) of a coarse triangle mesh.
 /// The coarser levels are recovered from the connectivity only, so that the order of vertices and
-/// faces is arbitrary.  \cgalCite{cgal:t-drscg-02}
+/// faces is arbitrary. \cgalCite{cgal:t-drscg-02}
 /// Isolated vertices belong to the coarsest level.
 ///
-/// The object stores the descriptors of the mesh, but no reference to it.  The mesh can be
-/// destroyed.  If it is modified, the object becomes invalid.  The object takes about 250 bytes per
-/// vertex.  Members that do not state their time take O(1) time.
+/// The object stores the descriptors of the mesh, but no reference to it. The mesh can be
+/// destroyed. If it is modified, the object becomes invalid. The object takes about 250 bytes per
+/// vertex. Members that do not state their time take O(1) time.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <typename TriangleMesh>
@@ -73,7 +73,7 @@ class Subdivision_wavelet
 public:
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// Recovers the levels from the connectivity.  O(n) time.
+  /// Recovers the levels from the connectivity. O(n) time.
   ///
   /// \param mesh a triangle mesh
   /// \param np
@@ -101,7 +101,7 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Subdivision_wavelet(const TriangleMesh& mesh,
                                const NamedParameters& np = NamedParameters());
-  /// Recovers the levels of the mesh of a `domain`.  The time and `np` are as for a mesh.
+  /// Recovers the levels of the mesh of a `domain`. The time and `np` are as for a mesh.
   /// \throws Unsupported_surface_error as for a mesh
   template <typename NamedParameters = internal::Default_parameters>
   explicit Subdivision_wavelet(const Mesh_domain<TriangleMesh>& domain,
@@ -148,7 +148,7 @@ public:
   /// Each transform takes O(n) time.
   /// @{
 
-  /// Computes the wavelet coefficients of vertex values.  O(n) time.
+  /// Computes the wavelet coefficients of vertex values. O(n) time.
   ///
   /// \tparam VertexMap a model of `ReadablePropertyMap` with vertices as keys
   /// \param map a readable property map of vertices, whose values are numbers, arrays of numbers,
@@ -170,8 +170,8 @@ public:
   template <typename VertexMap, typename NamedParameters = internal::Default_parameters>
   Wavelet_details analyze(VertexMap map, const NamedParameters& np = NamedParameters()) const;
 
-  /// Computes vertex values from wavelet coefficients and writes them to a property map.  If the
-  /// coefficients are unmodified, these are the analyzed values up to round-off errors.  O(n) time.
+  /// Computes vertex values from wavelet coefficients and writes them to a property map. If the
+  /// coefficients are unmodified, these are the analyzed values up to round-off errors. O(n) time.
   ///
   /// \tparam VertexMap a model of `WritablePropertyMap` with vertices as keys
   /// \param details the result of `analyze()`, possibly modified
@@ -180,8 +180,8 @@ public:
   template <typename VertexMap>
   void synthesize(const Wavelet_details& details, VertexMap map) const;
 
-  /// Keeps the `number` vertices with the largest details and sets all other details to zero.  The
-  /// size of a detail is its norm, weighted by its effect on the values of the finest level.  O(n)
+  /// Keeps the `number` vertices with the largest details and sets all other details to zero. The
+  /// size of a detail is its norm, weighted by its effect on the values of the finest level. O(n)
   /// time.
   /// \param details the result of `analyze()`, which is modified
   /// \throws Invalid_argument_error if the details do not match the mesh
@@ -196,8 +196,8 @@ public:
   /// @{
 
   /// Encodes the mesh and its details as a progressive stream of bytes, by embedded zerotrees
-  /// \cgalCite{cgal:kss-pgc-00} and arithmetic coding.  `decode_wavelets()` can read every prefix
-  /// that contains the base mesh.  Longer prefixes decode to better approximations.  Takes O(n)
+  /// \cgalCite{cgal:kss-pgc-00} and arithmetic coding. `decode_wavelets()` can read every prefix
+  /// that contains the base mesh. Longer prefixes decode to better approximations. Takes O(n)
   /// time for each bit plane.
   ///
   /// \param details the result of `analyze()`, possibly modified

@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// A polyline on a surface.  On a mesh, consecutive locations belong to a common face.  Consecutive
+/// A polyline on a surface. On a mesh, consecutive locations belong to a common face. Consecutive
 /// points are distinct.
 template <typename Surface>
 struct Surface_path
@@ -32,7 +32,7 @@ struct Surface_path
   /// `Exact` its length minus round-off errors, otherwise the straight distance in space
   double lower = 0.;
 
-  /// Returns whether there is no path.  O(1).
+  /// Returns whether there is no path. O(1).
   bool empty() const { return locations.empty(); }
 };
 

@@ -25,7 +25,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// represents a surfel cloud for all algorithms of this package: a proximity graph, and local
+/// Represents a surfel cloud for all algorithms of this package: a proximity graph, and local
 /// triangles with weights, which overlap. It is returned by `make_domain()` and can be passed to
 /// functions instead of the cloud. It is immutable, and copies are cheap, since they share the
 /// data.
@@ -45,7 +45,7 @@ public:
   using Point_3 = typename Traits::Point_3;
   using Vector_3 = typename Traits::Vector_3;
 
-  /// constructs the domain by reading the cloud once. O(n log n).
+  /// Constructs the domain by reading the cloud once. O(n log n).
   ///
   /// \param surfels the cloud
   /// \param np
@@ -83,15 +83,15 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Surfel_domain(const SurfelRange& surfels, const NamedParameters& np = NamedParameters());
 
-  /// returns the number of surfels. O(1).
+  /// Returns the number of surfels. O(1).
   std::size_t number_of_vertices() const { return m_data->descriptors.size(); }
 
-  /// returns the point of the tangent plane at a location. O(1).
+  /// Returns the point of the tangent plane at a location. O(1).
   /// \param location a location on the cloud
   /// \throws Invalid_argument_error if the surfel is not in the cloud or the offset is not finite
   Point_3 point(const Location& location) const;
 
-  /// returns the axes to which the offsets of a surfel refer: two unit vectors in its tangent plane,
+  /// Returns the axes to which the offsets of a surfel refer: two unit vectors in its tangent plane,
   /// whose cross product is its unit normal. They depend on the normal only. O(1).
   /// \param surfel a surfel
   /// \throws Invalid_argument_error if the surfel is not in the cloud

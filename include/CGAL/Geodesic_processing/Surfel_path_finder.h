@@ -26,7 +26,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// A path on a surfel cloud.  Each location refers to the surfel nearest to it on the same sheet.
+/// A path on a surfel cloud. Each location refers to the surfel nearest to it on the same sheet.
 /// `length` is the length of the polyline, which cuts corners, and at most `initial_length`.
 /// `front_distance` is the length of the smooth curve through its points, and the more accurate
 /// estimate of the geodesic distance.
@@ -35,8 +35,8 @@ struct Surfel_path : Surface_path<SurfelRange>
 {
   /// The surfels of the graph path from which the minimization starts.
   std::vector<typename internal::Surface_traits<SurfelRange>::Vertex> initial_path;
-  /// The length of a smooth curve along the graph path.  Arcs between consecutive surfels form the
-  /// curve.  If the shortened path is longer, because the arcs do not follow the surface, the curve
+  /// The length of a smooth curve along the graph path. Arcs between consecutive surfels form the
+  /// curve. If the shortened path is longer, because the arcs do not follow the surface, the curve
   /// is projected to the surface instead.
   double initial_length = 0.;
   std::size_t number_of_control_points = 0; ///< the curve has about four points per control point
@@ -54,13 +54,13 @@ using Geodesic_path = std::conditional_t<internal::Is_cloud<Surface>::value, Sur
 /// Computes geodesic paths between pairs of surfels or locations on a clean or noisy surfel cloud.
 ///
 /// A short path in a proximity graph is deformed to a geodesic by minimizing an energy
-/// \cgalCite{cgal:rdsk-asg-06}.  The number of control points increases from level to level.  The
+/// \cgalCite{cgal:rdsk-asg-06}. The number of control points increases from level to level. The
 /// surface is fitted to the surfels along the path and ends at 1.5 radii from the last surfel.
 ///
-/// Paths neither cross gaps nor change to another sheet.  The distance of each point of a path to
-/// the nearest surfel is at most the 95th percentile of the local spacing.  The percentile is
-/// computed for the 60 surfels nearest to the point.  The spacing of a surfel is the distance to
-/// its sixth nearest surfel.  The surfels of consecutive points are joined by short graph paths.
+/// Paths neither cross gaps nor change to another sheet. The distance of each point of a path to
+/// the nearest surfel is at most the 95th percentile of the local spacing. The percentile is
+/// computed for the 60 surfels nearest to the point. The spacing of a surfel is the distance to
+/// its sixth nearest surfel. The surfels of consecutive points are joined by short graph paths.
 ///
 /// Copies share the cloud and the graph, and different copies can search concurrently.
 ///
@@ -79,7 +79,7 @@ public:
   using Location = typename Traits::Location;
   using Point_3 = typename Traits::Point_3;
 
-  /// Reads the cloud and builds the proximity graph.  O(n log n) time.
+  /// Reads the cloud and builds the proximity graph. O(n log n) time.
   ///
   /// \param surfels the cloud
   /// \param np
@@ -157,7 +157,7 @@ public:
       : Surfel_path_finder(internal::Surfel_descriptors<SurfelRange>(surfels),
                            internal::read_surfels(surfels, np), np)
   {}
-  /// Uses the surfels of a `domain`.  The time and `np` are as for a cloud, except for property
+  /// Uses the surfels of a `domain`. The time and `np` are as for a cloud, except for property
   /// maps.
   /// \throws Invalid_argument_error as for a cloud
   template <typename NamedParameters = internal::Default_parameters>
@@ -169,7 +169,7 @@ public:
   /// Returns the number of surfels.
   std::size_t number_of_surfels() const { return m_descriptors->size(); }
 
-  /// Returns the number of connected components of the graph.  No path joins different components.
+  /// Returns the number of connected components of the graph. No path joins different components.
   std::size_t number_of_components() const { return cloud().number_of_components; }
   /// Returns the component of a surfel, a number smaller than `number_of_components()`.
   /// \param surfel a surfel of the cloud
@@ -189,7 +189,7 @@ public:
   void for_each_edge(Function f) const;
 
   /// Returns the noise level: the median, over all surfels, of the median height of a surfel's
-  /// neighbors.  Heights are divided by the spacing.  Returns 0 if `surfel_noise` is `kept`.
+  /// neighbors. Heights are divided by the spacing. Returns 0 if `surfel_noise` is `kept`.
   double noise() const { return m_finder.fitted_cloud()->noise(); }
 
   /// \name Surfels after Noise Removal
@@ -218,7 +218,7 @@ public:
   }
   /// @}
 
-  /// Returns the location nearest to a point in space.  O(log n) time on most clouds.
+  /// Returns the location nearest to a point in space. O(log n) time on most clouds.
   /// \tparam Point a `Point_3` of any kernel
   /// \param point the point
   /// \throws Invalid_argument_error if a coordinate is not finite or the cloud is empty
@@ -230,8 +230,8 @@ public:
         {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())}));
   }
 
-  /// Returns a path from one surfel or location to another; empty if they are not connected.  The
-  /// search takes O(m log m) time for m visited surfels.  The minimization takes time proportional
+  /// Returns a path from one surfel or location to another; empty if they are not connected. The
+  /// search takes O(m log m) time for m visited surfels. The minimization takes time proportional
   /// to the number of control points in each iteration.
   /// \tparam FromLocation, ToLocation a surfel or a location
   /// \param from, to surfels or locations
@@ -243,7 +243,7 @@ public:
     return outer(m_finder(tangent_location(from), tangent_location(to)));
   }
   /// Shortens a polyline to a geodesic with the same ends; empty if consecutive locations are not
-  /// connected.  Short graph paths join them, which together are the initial path.
+  /// connected. Short graph paths join them, which together are the initial path.
   /// Takes time as `operator()` for each pair of consecutive locations.
   ///
   /// \tparam Polyline a range of surfels or of locations

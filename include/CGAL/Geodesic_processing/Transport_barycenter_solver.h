@@ -24,7 +24,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes barycenters of mass distributions on one surface. The barycenter is the nonnegative
+/// Computes barycenters of mass distributions on one surface. The barycenter is the nonnegative
 /// distribution that minimizes the weighted sum of squared earth mover's distances to the given
 /// ones.
 ///
@@ -55,7 +55,7 @@ public:
   using Domain = internal::Domain_of<Surface>;
   using Vertex = typename Domain::Vertex;
 
-  /// refines the surface and computes two factorizations, each in about O(n<SUP>1.5</SUP>) time.
+  /// Refines the surface and computes two factorizations, each in about O(n<SUP>1.5</SUP>) time.
   ///
   /// \param surface the surface, as for `geodesic_distances()`
   /// \param np named parameters of `Earth_movers_solver`
@@ -65,7 +65,7 @@ public:
                                        const NamedParameters& np = NamedParameters())
       : Transport_barycenter_solver(Domain(surface, np), np)
   {}
-  /// uses an existing `domain`, which is shared. The time and `np` are as for a surface.
+  /// Uses an existing `domain`, which is shared. The time and `np` are as for a surface.
   /// \throws as for a surface, except for the exceptions of `make_domain()`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_barycenter_solver(const Domain& domain,
@@ -75,10 +75,10 @@ public:
                               internal::read_metric(domain, np)))
   {}
 
-  /// returns the domain of the surface.
+  /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
-  /// computes the barycenter of mass distributions. This replaces the result of the last call.
+  /// Computes the barycenter of mass distributions. This replaces the result of the last call.
   ///
   /// \tparam Masses a range of mass distributions
   /// \param masses a range of mass distributions as listed above
@@ -151,12 +151,12 @@ public:
     return m_result;
   }
 
-  /// returns the mass of the barycenter at a vertex or surfel.
+  /// Returns the mass of the barycenter at a vertex or surfel.
   /// \param vertex a vertex or surfel of the surface
   /// \pre `compute()` was called
   double mass(Vertex vertex) const { return m_result.masses[m_domain.index(vertex)]; }
 
-  /// writes the mass of the barycenter at each vertex or surfel, a `double`. Masses at vertices
+  /// Writes the mass of the barycenter at each vertex or surfel, a `double`. Masses at vertices
   /// that were inserted by refinement are distributed to the original ones.
   /// \tparam MassMap a model of `WritablePropertyMap` with vertices or surfels as keys
   /// \param map receives the masses
@@ -167,7 +167,7 @@ public:
     m_domain.write([&](internal::Index i) { return m_result.masses[i]; }, map);
   }
 
-  /// writes the density of the barycenter at each vertex or surfel. This is the mass divided by a
+  /// Writes the density of the barycenter at each vertex or surfel. This is the mass divided by a
   /// third of the area of the incident triangles outside of obstacles. If there is no mass, the
   /// density is zero. If there is mass but no area, it is infinite.
   /// \tparam DensityMap a model of `WritablePropertyMap` with vertices or surfels as keys and
@@ -182,7 +182,7 @@ public:
     m_domain.write(density, map);
   }
 
-  /// writes the flow from the barycenter to the given distribution at `position`, as
+  /// Writes the flow from the barycenter to the given distribution at `position`, as
   /// `Transport_solution::write_flow()`.
   /// \tparam FlowMap as for `Transport_solution::write_flow()`
   /// \param map receives the flow

@@ -22,7 +22,7 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDistances
-/// selects the particular flow of a `Transport_metric`, which `k` eigenfunctions then correct.
+/// Selects the particular flow of a `Transport_metric`, which `k` eigenfunctions then correct.
 enum class Transport_flow
 {
   /// the gradient of the solution of Poisson's equation, as in the paper. It balances masses at
@@ -37,7 +37,7 @@ enum class Transport_flow
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// computes spectral approximations of the earth mover's distance: the metrics \f$ d_k \f$ of
+/// Computes spectral approximations of the earth mover's distance: the metrics \f$ d_k \f$ of
 /// \cgalCite{cgal:srgb-emd-14}, between locations or general mass distributions.
 ///
 /// A distance is the minimum cost of a flow that transports one mass distribution to the other.
@@ -70,7 +70,7 @@ public:
   using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
-  /// precomputes the particular flow and the basis.
+  /// Precomputes the particular flow and the basis.
   ///
   /// \param surface the surface
   /// \param k the number of eigenfunctions, which is rounded up
@@ -92,7 +92,7 @@ public:
                             const NamedParameters& np = NamedParameters())
       : Transport_metric(Domain(surface, np), k, np)
   {}
-  /// uses an existing `domain`, which is shared. `k`, `np` and the time are as for a surface.
+  /// Uses an existing `domain`, which is shared. `k`, `np` and the time are as for a surface.
   /// \throws Unsupported_surface_error if no triangle has positive area. Also if `k` is positive
   ///         and more than 512 components are closed, or no gap follows the first 512 + 8 `k`
   ///         eigenvalues
@@ -109,18 +109,18 @@ public:
                 : internal::Particular_field::raviart_thomas))
   {}
 
-  /// returns the domain of the surface.
+  /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
-  /// returns the number of eigenfunctions: `k`, rounded up to the next gap between eigenvalues.
+  /// Returns the number of eigenfunctions: `k`, rounded up to the next gap between eigenvalues.
   std::size_t basis_size() const { return m_transport->basis_size(); }
-  /// returns the particular flow, which can differ from the requested one.
+  /// Returns the particular flow, which can differ from the requested one.
   Transport_flow flow() const
   {
     return m_transport->kind() == internal::Particular_field::gradient ? Transport_flow::gradient
                                                                        : Transport_flow::balanced;
   }
 
-  /// computes the cost of transporting one mass distribution to another, with bounds.
+  /// Computes the cost of transporting one mass distribution to another, with bounds.
   ///
   /// A `balanced` flow transports masses that were spread over triangles. The residual is then
   /// computed for the spread masses.
@@ -189,7 +189,7 @@ public:
                                 internal::parameter(np, internal_np::flow_map, 0));
     return Earth_movers_cost(found);
   }
-  /// returns the value of `cost()` between two locations or general mass distributions, and takes
+  /// Returns the value of `cost()` between two locations or general mass distributions, and takes
   /// the same time. `From`, `To`, `from`, `to` and `np` are as for `cost()`.
   /// \throws as `cost()`
   template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
@@ -199,7 +199,7 @@ public:
     return cost(from, to, np).value;
   }
 
-  /// writes the distance from one location to every vertex or surfel.
+  /// Writes the distance from one location to every vertex or surfel.
   ///
   /// For `k` > 0 these are upper bounds. With 50 vertices per eigenfunction they are within one
   /// percent on average. The correction is optimized on clusters of triangles, with one mean vector
@@ -230,7 +230,7 @@ public:
     m_domain.write([&](internal::Index vertex) { return t.scale * found[vertex]; }, distance_map);
   }
 
-  /// returns the distances of all pairs of locations, within the tolerance if `k` > 0.
+  /// Returns the distances of all pairs of locations, within the tolerance if `k` > 0.
   ///
   /// If `k` = 0, this takes 16 bytes per vertex and location. Otherwise it takes the time of a
   /// `cost()` for each pair.

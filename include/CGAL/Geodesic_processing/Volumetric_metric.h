@@ -20,7 +20,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes distances between points in space, inside and outside of a closed mesh. The distances
+/// Computes distances between points in space, inside and outside of a closed mesh. The distances
 /// account for the obstacles that the surface forms.
 ///
 /// The mean value coordinates of a point are masses at the vertices. The distance of two points is
@@ -45,7 +45,7 @@ public:
   using Domain = internal::Domain_of<TriangleMesh>;
   using Point_3 = typename Domain::Point_3;
 
-  /// precomputes the factorizations, as `Earth_movers_solver`.
+  /// Precomputes the factorizations, as `Earth_movers_solver`.
   ///
   /// \param mesh the mesh
   /// \param np named parameters of `make_domain()`, and `number_of_refinements` as for
@@ -59,7 +59,7 @@ public:
                              const NamedParameters& np = NamedParameters())
       : Volumetric_metric(Domain(mesh, np), np)
   {}
-  /// uses an existing `domain`, which is shared. The time and `np` are as for a mesh.
+  /// Uses an existing `domain`, which is shared. The time and `np` are as for a mesh.
   /// \throws as for a mesh, except for the exceptions of `make_domain()`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Volumetric_metric(const Domain& domain, const NamedParameters& np = NamedParameters())
@@ -67,10 +67,10 @@ public:
                               domain.triangles(), internal::number_of_refinements(domain, np)))
   {}
 
-  /// returns the domain of the mesh. O(1).
+  /// Returns the domain of the mesh. O(1).
   const Domain& domain() const { return m_domain; }
 
-  /// computes the distance between two points, with bounds.
+  /// Computes the distance between two points, with bounds.
   ///
   /// The residual is relative to the mass that moves: half the sum of the absolute differences of
   /// the coordinates.
@@ -131,7 +131,7 @@ public:
     internal::write_transport_maps(m_domain, found, np);
     return found;
   }
-  /// returns the value of `cost()`, and takes the same time. `From`, `To`, `from`, `to` and `np`
+  /// Returns the value of `cost()`, and takes the same time. `From`, `To`, `from`, `to` and `np`
   /// are as for `cost()`.
   /// \throws as `cost()`
   template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
@@ -141,7 +141,7 @@ public:
     return cost(from, to, np).value;
   }
 
-  /// returns the distances from one point to many, for example for a slice through space. By
+  /// Returns the distances from one point to many, for example for a slice through space. By
   /// default they are certified within one percent, in a tenth of the time of separate queries.
   ///
   /// Potentials and flows of nearby points approximate those of a point. Only a few hundred points
@@ -206,7 +206,7 @@ public:
     return result;
   }
 
-  /// computes a path by gradient descent of the distance to its end. The path does not cross the
+  /// Computes a path by gradient descent of the distance to its end. The path does not cross the
   /// surface. In a bent cavity it follows the center line, and it is not the shortest path.
   ///
   /// No step is longer than a fraction of the distance to the surface. Each step takes the time of

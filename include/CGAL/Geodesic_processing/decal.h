@@ -20,7 +20,7 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// Red, green, blue and opacity in [0, 1].  The colors are not premultiplied by the opacity.
+/// Red, green, blue and opacity in [0, 1]. The colors are not premultiplied by the opacity.
 using Decal_color = std::array<double, 4>;
 
 /// \ingroup PkgGeodesicProcessingDecals
@@ -41,8 +41,8 @@ struct Decal_vertex
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// A face and the image coordinates of its corners.  The first corner is the source of
-/// `halfedge(face)`.  The others follow in the order of the halfedges around the face.
+/// A face and the image coordinates of its corners. The first corner is the source of
+/// `halfedge(face)`. The others follow in the order of the halfedges around the face.
 template <typename TriangleMesh>
 struct Decal_face
 {
@@ -58,9 +58,9 @@ struct Decal
 {
   Tangent_frame<Surface> frame;                ///< the center, and the directions right and up
   std::vector<Decal_vertex<Surface>> vertices; ///< the vertices that the image covers
-  /// The faces that intersect the image.  Coordinates of corners may be outside the image.  If a
+  /// The faces that intersect the image. Coordinates of corners may be outside the image. If a
   /// face is cut (see `Logarithmic_map`), its coordinates are extrapolated from its longest edge
-  /// that is not cut.  If all its edges are cut, it is omitted.
+  /// that is not cut. If all its edges are cut, it is omitted.
   std::vector<Decal_face<Surface>> faces;
 };
 
@@ -75,10 +75,10 @@ struct Decal<SurfelRange, true>
 
 /// \ingroup PkgGeodesicProcessingDecals
 ///
-/// Places images on a surface, one at a time, by a `Logarithmic_map`.  Distances and directions
+/// Places images on a surface, one at a time, by a `Logarithmic_map`. Distances and directions
 /// from the center of an image are preserved.
 ///
-/// The precomputation does not depend on the center.  The cost of `place()` depends on the number
+/// The precomputation does not depend on the center. The cost of `place()` depends on the number
 /// of vertices or surfels that are closer to the center than the corners of the image.
 ///
 /// \tparam Surface, Method as for `Logarithmic_map`
@@ -99,16 +99,16 @@ public:
   explicit Decal_placer(const Surface& surface, const NamedParameters& np = NamedParameters())
       : m_map(surface, np)
   {}
-  /// Uses an existing `domain`, which is shared.  O(n) time.
+  /// Uses an existing `domain`, which is shared. O(n) time.
   explicit Decal_placer(const Domain& domain) : m_map(domain) {}
 #ifndef DOXYGEN_RUNNING
   Decal_placer(const Domain& domain, const internal::Log_kind& kind) : m_map(domain, kind) {}
 #endif
 
-  /// Returns the domain of the surface.  O(1).
+  /// Returns the domain of the surface. O(1).
   const Domain& domain() const { return m_map.domain(); }
 
-  /// Computes the placement of an image with a given center.  Takes the time of
+  /// Computes the placement of an image with a given center. Takes the time of
   /// `Logarithmic_map::compute()` up to the corners of the image, a few times on a mesh.
   ///
   /// \tparam Place a vertex, a surfel or a location
@@ -143,7 +143,7 @@ private:
 // Finds the triangles that intersect the image.
 //
 // Their corners can be outside the image, so the map is computed up to a margin beyond the image's
-// corners.  The longest edge at the center is usually a sufficient margin.  If an intersecting
+// corners. The longest edge at the center is usually a sufficient margin. If an intersecting
 // triangle lacks the image of a corner, the margin is enlarged and the map is recomputed.
 template <typename Surface, typename Method>
 template <typename Place, typename NamedParameters>
@@ -214,7 +214,7 @@ inline Vec2 interpolate(const std::array<Vec2, 3>& corners,
 /// \tparam ColorMap a model of `ReadWritePropertyMap` with vertices or surfels as keys
 /// \param decal the placement of the image
 /// \param image a function with the signature of `Decal_image`
-/// \param color_map a read-write property map of colors, which are updated.  Its value type is
+/// \param color_map a read-write property map of colors, which are updated. Its value type is
 ///        `CGAL::IO::Color`, `Decal_color` or `std::array<double, 3>`
 /// \pre The property map has a value for each vertex or surfel that the decal covers.
 ///
@@ -253,13 +253,13 @@ struct Decal_texture
 
 /// \ingroup PkgGeodesicProcessingDecals
 ///
-/// Composites several images into one texture of the mesh.  Later layers are drawn over earlier
+/// Composites several images into one texture of the mesh. Later layers are drawn over earlier
 /// ones.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \param layers images placed on the same mesh, from the lowest layer to the highest
 /// \param segments the length, in texels, of the two legs of each covered face's right triangle in
-///        the texture.  The hypotenuse has equally many segments, which are longer
+///        the texture. The hypotenuse has equally many segments, which are longer
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{background}

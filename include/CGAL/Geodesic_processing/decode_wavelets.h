@@ -31,10 +31,10 @@ struct Wavelet_stream
 /// \ingroup PkgGeodesicProcessingWavelets
 ///
 /// Decodes a stream of `Subdivision_wavelet::encode()`, or a prefix of one, and adds its mesh to
-/// `output`.  A prefix decodes to an approximation.  Vertices and faces are added in the order of
+/// `output`. A prefix decodes to an approximation. Vertices and faces are added in the order of
 /// levels, so that the mesh can be analyzed again.
 ///
-/// Damaged bytes are detected by checksums; then only the bit planes before them are used.  Damage
+/// Damaged bytes are detected by checksums; then only the bit planes before them are used. Damage
 /// in a truncated bit plane can remain undetected, but vertices are always finite.
 ///
 /// \tparam ByteRange a range of `std::uint8_t`
@@ -52,7 +52,7 @@ struct Wavelet_stream
 /// \cgalNamedParamsEnd
 /// \returns the extent to which the stream was decoded
 /// \throws Invalid_argument_error if the bytes are not a stream of vertex positions, if the base
-///         mesh is incomplete or damaged, or if there are too many vertices.  Then `output` is
+///         mesh is incomplete or damaged, or if there are too many vertices. Then `output` is
 ///         unchanged.
 ///
 /// O(n) time for each bit plane.

@@ -25,7 +25,7 @@ namespace CGAL::Geodesic_processing {
 /// The distortion of one face by a map of a mesh to the plane.
 ///
 /// It is described by the singular values of the Jacobian of the inverse map, from the plane to the
-/// face.  All members take O(1) time.
+/// face. All members take O(1) time.
 struct Face_distortion
 {
   double sigma_1 = 1.;    ///< the larger singular value; infinite if the image has no area
@@ -128,7 +128,7 @@ std::array<Vec2, 3> image_of_triangle(const Domain& domain, Index triangle, cons
   return image;
 }
 
-// Computes the distortion of a triangle of a domain.  The area is multiplied by the weight of the
+// Computes the distortion of a triangle of a domain. The area is multiplied by the weight of the
 // triangle.
 template <typename Domain, typename UVMap>
 Face_distortion distortion_of_triangle(const Domain& domain, Index triangle, const UVMap& uv_map)
@@ -211,7 +211,7 @@ struct Surface_distortion
   std::size_t number_of_triangles = 0;        ///< triangles that have an image
   std::size_t number_of_folded_triangles = 0; ///< triangles whose image is clockwise (inverted)
 
-  /// Returns the mean of the measure, weighted by area.  O(1).
+  /// Returns the mean of the measure, weighted by area. O(1).
   double mean() const { return integral / area; }
 };
 

@@ -9,7 +9,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the earth mover's distance (1-Wasserstein distance) between two mass distributions on
+/// Computes the earth mover's distance (1-Wasserstein distance) between two mass distributions on
 /// a surface, whose cost is the length of paths.
 ///
 /// If many distributions on one surface are compared, use `Earth_movers_solver`, which factorizes

@@ -19,7 +19,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// estimates the normals and radii of points, so that they become surfels. Normals are those of
+/// Estimates the normals and radii of points, so that they become surfels. Normals are those of
 /// fitted quadrics \cgalCite{cgal:cp-edqpf-05}. They are oriented along a minimum spanning tree.
 /// The radii are such that the disks of neighbors overlap.
 ///

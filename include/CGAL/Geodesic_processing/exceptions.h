@@ -37,7 +37,7 @@ public:
 class Cancelled : public std::exception
 {
 public:
-  /// returns a sentence that states the reason. O(1).
+  /// Returns a sentence that states the reason. O(1).
   const char* what() const noexcept override { return "The callback canceled the computation."; }
 };
 

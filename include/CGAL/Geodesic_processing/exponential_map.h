@@ -17,13 +17,13 @@ namespace CGAL::Geodesic_processing {
 /// Returns the endpoint of the straightest geodesic in the direction of a tangent vector, whose
 /// length is that of the vector.
 ///
-/// It is the inverse of `logarithmic_map()`.  Both use the same axes if they have the same
+/// It is the inverse of `logarithmic_map()`. Both use the same axes if they have the same
 /// `up_direction`, or none.
 /// Beyond the injectivity radius, the geodesic continues straight, although it is not necessarily a
-/// shortest path.  If it reaches the boundary, the point on the boundary is returned.
+/// shortest path. If it reaches the boundary, the point on the boundary is returned.
 ///
 /// On a cloud, the geodesic is traced on a surface that is fitted to the surfels, see
-/// `straightest_geodesic()`.  For many vectors, `Logarithmic_map::exponential()` is faster, because
+/// `straightest_geodesic()`. For many vectors, `Logarithmic_map::exponential()` is faster, because
 /// it fits the surface only once.
 ///
 /// \tparam Surface a model of `FaceListGraph`, a model of `SurfelRange`, or its domain

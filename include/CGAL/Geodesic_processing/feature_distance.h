@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the distance to a feature: a point, a curve, the boundary or any set of vertices. It
+/// Computes the distance to a feature: a point, a curve, the boundary or any set of vertices. It
 /// is minus the potential of a uniform mass that is transported to the feature.
 ///
 /// The distance is never above the geodesic distance, and it is smaller by a fraction of an edge.

@@ -31,7 +31,7 @@ double fuzzy_width(double distance, const NamedParameters& np)
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the likelihood that geodesics between the neighborhoods of two locations pass each
+/// Computes the likelihood that geodesics between the neighborhoods of two locations pass each
 /// vertex. It is the amount of flow between two mass distributions around these locations.
 /// \cgalCite{cgal:srgb-emd-14}, section 7
 ///
@@ -99,7 +99,7 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes how short the detour from one location to another through each vertex is:
+/// Computes how short the detour from one location to another through each vertex is:
 /// \f$ \exp(-|d(p,x) + d(x,q) - d(p,q)| / \sigma) \f$.  \cgalCite{cgal:scf-fgcsc-10}
 ///
 /// \tparam Method the distance method, as for `geodesic_distances()`

@@ -74,7 +74,7 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several
-///         sources are processed at a time, by one solver per thread.  Both give bitwise equal
+///         sources are processed at a time, by one solver per thread. Both give bitwise equal
 ///         results.
 /// \tparam Surface as for `geodesic_distances()`
 /// \tparam Sources a vertex, a surfel, a location, a `Source`, or a range of one of these
@@ -106,11 +106,11 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// and `speed_map`, `face_speed_map` and `relative_tolerance` as for
-/// `Geodesic_distance_solver::compute()`.  With a relative tolerance, an entry is the mean of the
+/// `Geodesic_distance_solver::compute()`. With a relative tolerance, an entry is the mean of the
 /// lower and the upper bound.
 ///
 /// \returns a matrix with one row per source and one column per target; an entry is +infinity if
-///          the source does not reach the target.  With approximate methods or a relative
+///          the source does not reach the target. With approximate methods or a relative
 ///          tolerance, it is symmetric only up to their errors.
 /// \throws as `Geodesic_distance_solver::compute()`
 ///
@@ -139,7 +139,7 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 /// \param maximum_distance the bound of the distances, not negative
 /// \param np the named parameters of `make_domain()`, and `number_of_threads` and `callback` as for
 ///        `geodesic_distance_matrix()`
-/// \returns a compressed matrix with sorted rows.  It has an entry for each pair within the bound,
+/// \returns a compressed matrix with sorted rows. It has an entry for each pair within the bound,
 ///          even if the distance is 0.
 /// \throws Invalid_argument_error if the bound is negative or not a number, if a vertex or surfel
 ///         occurs twice, or if there are more than 2<SUP>31</SUP> pairs

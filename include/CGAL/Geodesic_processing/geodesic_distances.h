@@ -12,7 +12,7 @@ namespace CGAL::Geodesic_processing {
 /// Computes the geodesic distance from each vertex or surfel to its nearest source.
 ///
 /// \tparam Method `Automatic` (the default), `Exact`, `Euclidean_front`, `Fast_marching`, `Dijkstra`
-///         or `Heat`; their reference pages state their errors.  On a mesh without speeds,
+///         or `Heat`; their reference pages state their errors. On a mesh without speeds,
 ///         `Automatic` is `Exact`
 /// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
 ///         `SurfelRange`, or a domain made by `make_domain()`
@@ -22,7 +22,7 @@ namespace CGAL::Geodesic_processing {
 /// \param surface the surface on which distances are measured
 /// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
 /// \param distance_map a writable property map that receives the distance of each vertex or surfel,
-///        in the unit of the coordinates.  The distance is +infinity if no source reaches it
+///        in the unit of the coordinates. The distance is +infinity if no source reaches it
 /// \param np the named parameters of `make_domain()` and `Geodesic_distance_solver::compute()`, and
 ///
 /// \cgalNamedParamsBegin
@@ -45,7 +45,7 @@ namespace CGAL::Geodesic_processing {
 /// \cgalNamedParamsEnd
 /// \throws as `make_domain()` and `Geodesic_distance_solver::compute()`
 ///
-/// O(n log n) time after `make_domain()`.  `Exact` takes O(n<SUP>1.5</SUP>) time in practice; the
+/// O(n log n) time after `make_domain()`. `Exact` takes O(n<SUP>1.5</SUP>) time in practice; the
 /// time of `Heat` is that of its factorization.
 template <typename Method = Automatic, typename Surface, typename Sources, typename DistanceMap,
           typename NamedParameters = internal::Default_parameters>

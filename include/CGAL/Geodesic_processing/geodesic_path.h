@@ -24,24 +24,24 @@ inline constexpr bool uses_path_energy =
 ///
 /// Computes a path from a vertex, surfel or location to its nearest source.
 ///
-/// Distances are computed by the method until the front has passed `from`.  The path is traced
+/// Distances are computed by the method until the front has passed `from`. The path is traced
 /// along decreasing distances and then shortened to a geodesic.
 ///
-/// On a mesh, the path is a shortest path by default, or if the method is `Exact`.  With other
+/// On a mesh, the path is a shortest path by default, or if the method is `Exact`. With other
 /// methods, it is locally shortest: it is straight in every face, and both angles at every vertex
 /// that it passes are at least \f$ \pi \f$.  Its length differs from
 /// `Surface_path::front_distance` by at most the error of the method.
 ///
-/// If speeds differ, `Surface_path::front_distance` is a travel time.  On a mesh, the travel time
-/// of the path is then reduced in the neighborhood of the traced path, instead of its length.  It
-/// is lower than `Surface_path::front_distance` as a rule.  In measurements, it exceeds this value
-/// by a few percent at most, or by up to 14 % if the speed differs from face to face.  A segment on
+/// If speeds differ, `Surface_path::front_distance` is a travel time. On a mesh, the travel time
+/// of the path is then reduced in the neighborhood of the traced path, instead of its length. It
+/// is lower than `Surface_path::front_distance` as a rule. In measurements, it exceeds this value
+/// by a few percent at most, or by up to 14 % if the speed differs from face to face. A segment on
 /// an edge has the larger speed of the adjacent faces.
 ///
 /// On a cloud, the path is that of `Surfel_path_finder` between `from` and the nearest location of
-/// the nearest source.  Only a front admits speeds.  If there are speeds, or if the method is
+/// the nearest source. Only a front admits speeds. If there are speeds, or if the method is
 /// given, the path is traced along the local triangles of the cloud and, if the speeds are equal,
-/// shortened on them.  `initial_path` is then empty. The same holds if only these triangles connect
+/// shortened on them. `initial_path` is then empty. The same holds if only these triangles connect
 /// `from` with a source.
 ///
 /// \tparam Method as for `geodesic_distances()`
@@ -57,7 +57,7 @@ inline constexpr bool uses_path_energy =
 /// \throws as `Geodesic_distance_solver::compute()`
 ///
 /// Takes one distance computation that stops at `from`, and time proportional to the length of the
-/// path.  On a cloud of n surfels, also the preparation of `Surfel_path_finder` in O(n log n) time:
+/// path. On a cloud of n surfels, also the preparation of `Surfel_path_finder` in O(n log n) time:
 /// use this class or `Geodesic_path_finder` for more than one path.
 template <typename Method = Automatic, typename Surface, typename QueryLocation, typename Sources,
           typename NamedParameters = internal::Default_parameters>

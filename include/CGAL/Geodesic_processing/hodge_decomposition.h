@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the Hodge decomposition of a field of tangent vectors. The components are a gradient
+/// Computes the Hodge decomposition of a field of tangent vectors. The components are a gradient
 /// field, a rotation field and a harmonic field, which are orthogonal to each other. The gradient
 /// field flows from sources to sinks, and the rotation field consists of vortices. The harmonic
 /// field has neither, and winds around handles and holes.
@@ -71,7 +71,7 @@ void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the gradient component of a field of tangent vectors on a surfel cloud, and the
+/// Computes the gradient component of a field of tangent vectors on a surfel cloud, and the
 /// remainder. The remainder contains the rotation field and the harmonic field. They cannot be
 /// separated, because the edges of a cloud do not separate two triangles.
 ///

@@ -6,8 +6,8 @@
 #include <CGAL/Geodesic_processing/Location.h>
 
 // The functions and classes of this package that take a surface: those for meshes and clouds, those
-// for meshes only, and those for clouds only.  The latter two state the reason in a sentence that
-// the compiler prints.  The manual has the same table.
+// for meshes only, and those for clouds only. The latter two state the reason in a sentence that
+// the compiler prints. The manual has the same table.
 #define CGAL_GEODESIC_PROCESSING_FUNCTIONS(BOTH, MESHES, CLOUDS)                                   \
   BOTH(make_domain)                                                                                \
   BOTH(locate_on_surface)                                                                          \
@@ -74,7 +74,7 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// names a function or class of this package that takes a surface. The enumerators have the names
+/// Names a function or class of this package that takes a surface. The enumerators have the names
 /// of these functions and classes.
 enum class Function
 {
@@ -86,7 +86,7 @@ enum class Function
 
 namespace internal {
 
-// The support of a function for meshes and for clouds.  check() fails to compile with the reason if
+// The support of a function for meshes and for clouds. check() fails to compile with the reason if
 // there is none.
 template <Function function>
 struct Support;

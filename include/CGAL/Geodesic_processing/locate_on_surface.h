@@ -12,7 +12,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// computes the closest locations on one surface to points in space. It uses a tree of triangles on
+/// Computes the closest locations on one surface to points in space. It uses a tree of triangles on
 /// a mesh, and of surfels on a cloud. Copies share the tree.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
@@ -23,10 +23,10 @@ public:
   using Domain = internal::Domain_of<Surface>;
   using Location = typename Domain::Location;
 
-  /// constructs the tree of a `domain` in O(n log n) time on a mesh. On a cloud it uses the tree of
+  /// Constructs the tree of a `domain` in O(n log n) time on a mesh. On a cloud it uses the tree of
   /// the domain.
   explicit Surface_locator(const Domain& domain) : m_domain(domain), m_tree(tree(domain)) {}
-  /// constructs the domain of a surface and its tree in O(n log n) time.
+  /// Constructs the domain of a surface and its tree in O(n log n) time.
   /// \param surface the surface
   /// \param np the named parameters of `make_domain()`
   /// \throws as `make_domain()`
@@ -35,7 +35,7 @@ public:
       : Surface_locator(Domain(surface, np))
   {}
 
-  /// returns the location that is closest to a point. O(log n) on most inputs.
+  /// Returns the location that is closest to a point. O(log n) on most inputs.
   /// \tparam Point a `Point_3` of any kernel
   /// \param point the point
   /// \throws Invalid_argument_error if a coordinate is not finite or the surface is empty
@@ -74,7 +74,7 @@ private:
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// returns the location on a surface that is closest to a point in space. For many points, use a
+/// Returns the location on a surface that is closest to a point in space. For many points, use a
 /// `Surface_locator`.
 ///
 /// \tparam Surface as for `geodesic_distances()`

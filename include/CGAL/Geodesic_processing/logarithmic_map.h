@@ -37,9 +37,9 @@ struct Gradient
 /// \ingroup PkgGeodesicProcessingMethods
 /// Selects the discrete exponential map \cgalCite{cgal:sgw-idcde-06}, for comparison.
 ///
-/// Tangent vectors are sums of edge vectors along shortest edge paths.  Each edge vector is
-/// rotated, with the normal of its vertex, to the tangent plane of the base point.  The method is
-/// as fast as `Dijkstra`.  Its errors do not necessarily converge to zero with the edge length.
+/// Tangent vectors are sums of edge vectors along shortest edge paths. Each edge vector is
+/// rotated, with the normal of its vertex, to the tangent plane of the base point. The method is
+/// as fast as `Dijkstra`. Its errors do not necessarily converge to zero with the edge length.
 struct Discrete_exponential
 {};
 
@@ -55,7 +55,7 @@ struct Tangent_frame
   Vector_3 u = NULL_VECTOR; ///< the unit vector along the first axis of the map
   Vector_3 v = NULL_VECTOR; ///< the unit vector along the second axis
 
-  /// Returns the unit normal, the cross product of `u` and `v`.  O(1).
+  /// Returns the unit normal, the cross product of `u` and `v`. O(1).
   Vector_3 normal() const { return CGAL::cross_product(u, v); }
 };
 
@@ -87,8 +87,8 @@ struct Log_tag<Discrete_exponential>
 /// Computes Riemannian normal coordinates around a base point, for one base point at a time.
 ///
 /// The normal coordinates of a vertex or surfel are the tangent vector at the base point whose
-/// geodesic ends there.  Their norm is the geodesic distance.  The cost of a computation depends on
-/// the number of vertices or surfels that it reaches.  Members that do not state their time take
+/// geodesic ends there. Their norm is the geodesic distance. The cost of a computation depends on
+/// the number of vertices or surfels that it reaches. Members that do not state their time take
 /// O(1) time.
 ///
 /// \tparam Surface as for `geodesic_distances()`, but not a domain
@@ -119,7 +119,7 @@ public:
     m_exponential = internal::Exponential_tracer<Domain>(
         internal::parameter(np, internal_np::number_of_threads, 1u));
   }
-  /// Uses an existing `domain`, which is shared.  O(n) time.
+  /// Uses an existing `domain`, which is shared. O(n) time.
   explicit Logarithmic_map(const Domain& domain)
       : Logarithmic_map(domain, internal::Log_tag<Method>::kind)
   {}
@@ -133,7 +133,7 @@ public:
   /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
-  /// Computes the map around a base point.  The result replaces that of the last call.
+  /// Computes the map around a base point. The result replaces that of the last call.
   ///
   /// \tparam Place a vertex, a surfel or a location
   /// \param base a vertex, a surfel or a location
@@ -171,7 +171,7 @@ public:
   /// \throws Invalid_argument_error if the base point does not belong to the surface
   ///
   /// `Gradient` takes the time of a distance computation from the base point and from each location
-  /// of the stencil.  `Exact` takes the time of one exact computation.  `Discrete_exponential`
+  /// of the stencil. `Exact` takes the time of one exact computation. `Discrete_exponential`
   /// takes O(m log m) time for m reached vertices or surfels.
   template <typename Place, typename NamedParameters = internal::Default_parameters>
   void compute(const Place& base, const NamedParameters& np = NamedParameters());
@@ -179,7 +179,7 @@ public:
   /// \name The last computation
   /// @{
 
-  /// Returns the tangent plane in space.  If the one-ring of the base vertex is not planar, the
+  /// Returns the tangent plane in space. If the one-ring of the base vertex is not planar, the
   /// axes are those that agree best with the incident edges.
   /// \pre `compute()` was called
   Tangent_frame<Surface> frame() const;
@@ -203,13 +203,13 @@ public:
     return {scale() * inner(vertex)[0], scale() * inner(vertex)[1]};
   }
 
-  /// Returns the number of faces that are cut.  A face is cut if the distance of the images of two
-  /// corners exceeds four times the length of their edge.  Beyond these faces, the map is not
+  /// Returns the number of faces that are cut. A face is cut if the distance of the images of two
+  /// corners exceeds four times the length of their edge. Beyond these faces, the map is not
   /// injective.
   std::size_t number_of_cut_faces() const { return m_defects.cut_triangles.size(); }
   /// Returns the number of inverted faces among the faces that are not cut.
   std::size_t number_of_folded_faces() const { return m_defects.number_of_folded; }
-  /// Calls `f(face)` for each face that is cut.  It requires a mesh.  Takes linear time in the
+  /// Calls `f(face)` for each face that is cut. It requires a mesh. Takes linear time in the
   /// number of cut faces.
   /// \tparam Function a function object
   /// \param f a function of a face descriptor
@@ -220,8 +220,8 @@ public:
       f(m_domain.face(triangle));
   }
 
-  /// Writes the tangent vectors to a property map.  The values of `uv_map` are constructed from two
-  /// numbers, which are NaN outside the map.  O(n).
+  /// Writes the tangent vectors to a property map. The values of `uv_map` are constructed from two
+  /// numbers, which are NaN outside the map. O(n).
   /// \tparam UVMap a model of `WritablePropertyMap` with vertices or surfels as keys and `Point_2`
   ///         or arrays of two numbers as values
   template <typename UVMap>
@@ -238,11 +238,11 @@ public:
   }
 
   /// Returns the exponential map of a tangent vector: the endpoint of the straightest geodesic in
-  /// its direction.  If the geodesic meets the boundary, it ends there.
+  /// its direction. If the geodesic meets the boundary, it ends there.
   ///
-  /// On a mesh, it takes O(number of crossed faces) time.  On a cloud, the geodesic is traced on a
-  /// surface that is fitted to the surfels, see `straightest_geodesic()`.  The first call fits the
-  /// surface, in O(n log n) time.  Later calls and calls of copies reuse it, and different copies
+  /// On a mesh, it takes O(number of crossed faces) time. On a cloud, the geodesic is traced on a
+  /// surface that is fitted to the surfels, see `straightest_geodesic()`. The first call fits the
+  /// surface, in O(n log n) time. Later calls and calls of copies reuse it, and different copies
   /// can be used concurrently.
   /// \tparam TangentVector `Vector_2`, `Point_2`, or an array of two numbers
   /// \param vector the tangent vector, in the axes of `frame()`
@@ -317,7 +317,7 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 
 /// \ingroup PkgGeodesicProcessingLogMap
 ///
-/// Computes Riemannian normal coordinates around a base point.  The normal coordinates of a vertex
+/// Computes Riemannian normal coordinates around a base point. The normal coordinates of a vertex
 /// or surfel are the tangent vector at the base point whose geodesic ends there.
 ///
 /// \tparam Method `Gradient<Distance_method>` (the default: `Gradient<Euclidean_front>`),
@@ -328,7 +328,7 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 ///         arrays of two numbers as values
 /// \param surface the surface, as for `geodesic_distances()`
 /// \param base a vertex, a surfel or a location
-/// \param uv_map a writable property map that receives the tangent vectors.  Its values are
+/// \param uv_map a writable property map that receives the tangent vectors. Its values are
 ///        constructed from two numbers, which are NaN outside the map
 /// \param np the named parameters of `make_domain()` and `Logarithmic_map::compute()`
 /// \returns the tangent plane in space

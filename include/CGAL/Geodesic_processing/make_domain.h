@@ -23,7 +23,7 @@ using Domain_of =
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// constructs a domain: the preprocessed form of a surface, for any number of calls. It can be
+/// Constructs a domain: the preprocessed form of a surface, for any number of calls. It can be
 /// passed to functions instead of the surface.
 ///
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default), or `CGAL::Parallel_tag` for
@@ -53,7 +53,7 @@ internal::Domain_of<Surface> make_domain(const Surface& surface,
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// returns the domain itself, so that functions accept both. O(1).
+/// Returns the domain itself, so that functions accept both. O(1).
 ///
 /// \tparam Concurrency_tag has no effect
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -69,7 +69,7 @@ Mesh_domain<TriangleMesh> make_domain(const Mesh_domain<TriangleMesh>& domain,
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// returns the domain itself, so that functions accept both. O(1).
+/// Returns the domain itself, so that functions accept both. O(1).
 ///
 /// \tparam Concurrency_tag has no effect
 /// \tparam SurfelRange a model of the concept `SurfelRange`

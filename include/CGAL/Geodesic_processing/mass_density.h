@@ -8,7 +8,7 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
-/// stores a mass distribution with a density, which is linear in each triangle. See
+/// Stores a mass distribution with a density, which is linear in each triangle. See
 /// `mass_density()`.
 ///
 /// \tparam PropertyMap a model of `ReadablePropertyMap` with vertices or surfels as keys and
@@ -21,7 +21,7 @@ struct Mass_density
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// creates a mass distribution for `earth_movers_distance()` from a property map of densities.
+/// Creates a mass distribution for `earth_movers_distance()` from a property map of densities.
 ///
 /// \tparam PropertyMap a model of `ReadablePropertyMap` with vertices or surfels as keys and
 ///         numbers as values

@@ -23,7 +23,7 @@ Vec3 spatial(const Point& point)
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the mean value coordinates of a point with respect to a closed mesh: a weight for each
+/// Computes the mean value coordinates of a point with respect to a closed mesh: a weight for each
 /// vertex. The weights sum to one, and the weighted sum of the vertices is the point.
 /// \cgalCite{cgal:jsw-mvc-05}
 ///

@@ -106,7 +106,7 @@ namespace parameters {
 
 using namespace CGAL::parameters;
 
-/// represents a chain of named parameters. Functions of \cgal can read it as one of their own
+/// Represents a chain of named parameters. Functions of \cgal can read it as one of their own
 /// chains. In addition, it can be extended by the names of this package.
 template <typename NamedParameters>
 struct Chain : NamedParameters

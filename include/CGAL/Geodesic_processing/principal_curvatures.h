@@ -12,8 +12,8 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingCurvature
-/// The principal curvatures of a vertex or surfel, and the principal directions.  The unit of the
-/// curvatures is the inverse of the coordinates' unit.  They are positive if the surface is convex:
+/// The principal curvatures of a vertex or surfel, and the principal directions. The unit of the
+/// curvatures is the inverse of the coordinates' unit. They are positive if the surface is convex:
 /// if it bends away from the normal, as a sphere with outward normals.
 template <typename Surface>
 struct Principal_curvatures
@@ -32,7 +32,7 @@ struct Principal_curvatures
 namespace internal {
 
 // Returns the named parameter `ball_radius`; 0 if it is not given, so that the kernel uses its
-// default.  Throws Invalid_argument_error if it is negative or not a number.
+// default. Throws Invalid_argument_error if it is negative or not a number.
 template <typename NamedParameters>
 double ball_radius(const NamedParameters& np)
 {
@@ -49,9 +49,9 @@ double ball_radius(const NamedParameters& np)
 /// Estimates the principal curvatures and directions at each vertex or surfel.
 ///
 /// On a mesh, the curvature tensor of the edges' normal cycles is averaged over a geodesic ball
-/// \cgalCite{cgal:csm-rdtnc-03}.  Normal cycles depend on the dihedral angles of the edges.  Face
-/// normals follow the counterclockwise orientation.  On a cloud, a quadric is fitted to the surfels
-/// of the ball \cgalCite{cgal:cp-edqpf-05}.  A larger ball reduces both noise and detail.
+/// \cgalCite{cgal:csm-rdtnc-03}. Normal cycles depend on the dihedral angles of the edges. Face
+/// normals follow the counterclockwise orientation. On a cloud, a quadric is fitted to the surfels
+/// of the ball \cgalCite{cgal:cp-edqpf-05}. A larger ball reduces both noise and detail.
 ///
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`; both give
 ///         the same result

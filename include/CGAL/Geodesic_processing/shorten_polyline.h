@@ -50,19 +50,19 @@ struct Shortened_polyline
 ///
 /// On a mesh or a cloud, use the overload in `CGAL/Geodesic_processing/Geodesic_path_finder.h`.
 ///
-/// It is the energy that `Surfel_path_finder` minimizes with `Surfel_path_method::disks`.  The
-/// surface can be any surface for which squared distances can be computed.  Examples are a triangle
+/// It is the energy that `Surfel_path_finder` minimizes with `Surfel_path_method::disks`. The
+/// surface can be any surface for which squared distances can be computed. Examples are a triangle
 /// mesh with an `AABB_tree`, and an implicit surface with a formula.
 ///
-/// The endpoints are fixed.  The result is a geodesic near the polyline.  If two sheets of the
+/// The endpoints are fixed. The result is a geodesic near the polyline. If two sheets of the
 /// surface are close to each other, the polyline does not determine the sheet of the geodesic.
 ///
 /// \tparam PointRange a range of points of one kernel
 /// \tparam SquaredDistance a function object that takes such a point and returns a number
-/// \param polyline a range of at least two points.  They must be so close to the surface that their
+/// \param polyline a range of at least two points. They must be so close to the surface that their
 ///        nearest points are on the intended part of the surface
 /// \param squared_distance a function that returns the squared distance of a point to the surface.
-///        It must be smooth near the surface, except at edges and boundaries.  Its gradient is
+///        It must be smooth near the surface, except at edges and boundaries. Its gradient is
 ///        computed by finite differences, with seven calls per point
 /// \param np the named parameters `number_of_control_points`, `node_weight` and `segment_weight` of
 ///        `Surfel_path_finder`

@@ -51,9 +51,9 @@ double strength(const NamedParameters& np, double default_strength)
 /// cells adapt to its shape.
 ///
 /// Let \f$ \tau = |\lambda_1| + |\lambda_2| \f$ be the sum of the absolute principal curvatures, in
-/// units of one over the square root of the surface's area.  The speed is
+/// units of one over the square root of the surface's area. The speed is
 /// \f$ 1 / (1 + \mu \tau) \f$ with `Edge_attractive` and \f$ 1 + \epsilon \tau \f$ with
-/// `Edge_repulsive`; \f$ \mu \f$ or \f$ \epsilon \f$ is the strength.  The speeds are invariant
+/// `Edge_repulsive`; \f$ \mu \f$ or \f$ \epsilon \f$ is the strength. The speeds are invariant
 /// under scaling of the surface. \cgalCite{cgal:pc-grfp-06}
 ///
 /// \tparam Speed `Edge_attractive` (the default) or `Edge_repulsive`
@@ -99,12 +99,12 @@ void curvature_speeds(const Surface& surface, SpeedMap speeds,
 /// \ingroup PkgGeodesicProcessingSpeeds
 ///
 /// Computes speeds for `speed_map` that are high if the mean curvature is similar to that at a
-/// given vertex or surfel.  Paths that start on a ridge tend to follow ridges.
+/// given vertex or surfel. Paths that start on a ridge tend to follow ridges.
 ///
 /// The speed is \f$ 1 / (1 + \mu |\sigma - \sigma_0|) \f$ with the strength \f$ \mu \f$.
 /// \f$ \sigma = \lambda_1 + \lambda_2 \f$ is twice the mean curvature, in units of one over the
 /// square root of the surface's area, and \f$ \sigma_0 \f$ is its value at the given vertex or
-/// surfel.  The speeds are invariant under scaling of the surface.
+/// surfel. The speeds are invariant under scaling of the surface.
 /// Figure 15 of \cgalCite{cgal:srgb-emd-14} shows distances of this kind.
 ///
 /// \tparam Concurrency_tag as for `curvature_speeds()`
@@ -141,11 +141,11 @@ void similar_curvature_speeds(const Surface& surface, Vertex vertex, SpeedMap sp
 
 /// \ingroup PkgGeodesicProcessingSpeeds
 ///
-/// Computes speeds for `speed_map` from an image, or another function, on the surface.  The speed
+/// Computes speeds for `speed_map` from an image, or another function, on the surface. The speed
 /// is low if the gradient of the function is large.
 ///
 /// The speed is \f$ 1 / (1 + \mu |\nabla I| / \max |\nabla I|) \f$ with the strength \f$ \mu \f$.
-/// It is invariant under scaling of the surface or the image.  The norm of the gradient is averaged
+/// It is invariant under scaling of the surface or the image. The norm of the gradient is averaged
 /// over the incident faces, or local triangles, of each vertex or surfel.
 /// \cgalCite{cgal:pc-grfp-06}
 ///

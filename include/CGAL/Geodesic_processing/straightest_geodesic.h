@@ -68,19 +68,19 @@ Straightest_geodesic<typename Domain::Surface> outer_path(const Domain& domain,
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// Traces the straightest geodesic from a location in a direction.  Its endpoint is the exponential
+/// Traces the straightest geodesic from a location in a direction. Its endpoint is the exponential
 /// map.
 ///
-/// On a mesh, faces are unfolded one after the other.  If the path hits a vertex, it continues with
+/// On a mesh, faces are unfolded one after the other. If the path hits a vertex, it continues with
 /// equal angles on both sides. \cgalCite{cgal:ps-sgps-98}  If it reaches a boundary edge, or a
 /// boundary vertex that it cannot pass, it ends there.
 ///
 /// On a cloud, the path is a geodesic of the surface that `Surfel_path_finder` fits to the surfels
-/// by default: the acceleration is normal to the surface.  If noise is found, it is removed.  Sharp
-/// edges are unfolded.  The path starts at the projection of `from` to the surface.  The surface
-/// ends at most 1.5 radii beyond the last surfel; there the path is cut.  It also ends in front of
-/// holes.  Its points satisfy the bound on the distance to the nearest surfel that
-/// `Surfel_path_finder` states.  Each location is the projection of its point to the tangent plane
+/// by default: the acceleration is normal to the surface. If noise is found, it is removed. Sharp
+/// edges are unfolded. The path starts at the projection of `from` to the surface. The surface
+/// ends at most 1.5 radii beyond the last surfel; there the path is cut. It also ends in front of
+/// holes. Its points satisfy the bound on the distance to the nearest surfel that
+/// `Surfel_path_finder` states. Each location is the projection of its point to the tangent plane
 /// of the nearest surfel.
 ///
 /// \tparam Surface a model of `FaceListGraph`, a model of `SurfelRange`, or its domain
@@ -89,19 +89,19 @@ Straightest_geodesic<typename Domain::Surface> outer_path(const Domain& domain,
 /// \param surface a mesh, a cloud or a domain
 /// \param from a vertex, a surfel or a location
 /// \param direction a vector in space, which is projected to the plane of the face of `from`, or to
-///        the tangent plane of the fitted surface.  At a vertex, the face is the incident one that
-///        contains the projected direction.  If several do, it is the one whose plane is closest to
+///        the tangent plane of the fitted surface. At a vertex, the face is the incident one that
+///        contains the projected direction. If several do, it is the one whose plane is closest to
 ///        the direction
 /// \param length the length of the path, finite and not negative
 /// \param np the named parameters of `make_domain()`
 /// \returns the path; its `length` is smaller than the requested length only if it ends at the
-///          boundary.  On a cloud, `length` is that of the smooth curve through the points; if the
+///          boundary. On a cloud, `length` is that of the smooth curve through the points; if the
 ///          path is not cut, it agrees with the requested length to about nine digits
 /// \throws Invalid_argument_error if the direction is normal to the plane, the length is invalid,
 ///         or the surfel is not in the cloud
 ///
-/// After `make_domain()`, O(number of crossed faces) time on a mesh.  On a cloud of n surfels,
-/// O(n log n) time for the fit, and O(1) time for each half of the distance between surfels.  For
+/// After `make_domain()`, O(number of crossed faces) time on a mesh. On a cloud of n surfels,
+/// O(n log n) time for the fit, and O(1) time for each half of the distance between surfels. For
 /// many geodesics on a cloud, use `Logarithmic_map::exponential()`, which fits the surface once.
 template <typename Surface, typename QueryLocation, typename Vector,
           typename NamedParameters = internal::Default_parameters>

@@ -46,7 +46,7 @@ Surfel_path<Surface_of<Cloud>> surfel_geodesic_path(const Cloud& surfels, const 
 /// Computes a geodesic path for each of many pairs.
 ///
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several
-///         pairs are processed at a time, on one cloud and one graph.  Both give bitwise equal
+///         pairs are processed at a time, on one cloud and one graph. Both give bitwise equal
 ///         results.
 /// \tparam SurfelRange a model of the concept `SurfelRange`
 /// \tparam Pairs a range of pairs

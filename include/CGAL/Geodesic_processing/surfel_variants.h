@@ -16,21 +16,21 @@ using internal::Surfel_search;
 #else
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// selects the edges of the proximity graph of a cloud. A path is initialized by a graph path.
+/// Selects the edges of the proximity graph of a cloud. A path is initialized by a graph path.
 enum class Surfel_graph
 {
-  /// joins two surfels if their spheres, of the surfels' radii, intersect and their normals agree.
-  /// Hence nearby sheets are not joined.  \cgalCite{cgal:rdsk-asg-06}
+  /// Joins two surfels if their spheres, of the surfels' radii, intersect and their normals agree.
+  /// Hence nearby sheets are not joined. \cgalCite{cgal:rdsk-asg-06}
   extended_spheres,
-  /// joins two surfels if their spheres of influence intersect. The radius of such a sphere is the
+  /// Joins two surfels if their spheres of influence intersect. The radius of such a sphere is the
   /// distance to the nearest surfel.
   spheres,
-  /// joins each surfel to its nearest surfels \cgalCite{cgal:kz-pcsg-04}
+  /// Joins each surfel to its nearest surfels \cgalCite{cgal:kz-pcsg-04}
   nearest
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// selects the search for a short graph path between two surfels. Dijkstra's algorithm,
+/// Selects the search for a short graph path between two surfels. Dijkstra's algorithm,
 /// bidirectional search and A* find shortest graph paths. They find the same one if it is unique.
 /// `coarse_to_fine` does not always find a shortest graph path. With every search, the resulting
 /// path is never longer than the graph path that initialized it.
@@ -47,30 +47,30 @@ enum class Surfel_search
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// selects the fitted surface that attracts a path on a cloud, and whether the path is projected
+/// Selects the fitted surface that attracts a path on a cloud, and whether the path is projected
 /// onto it.
 enum class Surfel_path_method
 {
-  /// projects the path onto quadrics over algebraic spheres, which are fitted to the surfels and
+  /// Projects the path onto quadrics over algebraic spheres, which are fitted to the surfels and
   /// their normals
   projected_quadrics,
-  /// projects the path onto algebraic spheres without quadrics \cgalCite{cgal:ggg-dpsas-08}
+  /// Projects the path onto algebraic spheres without quadrics \cgalCite{cgal:ggg-dpsas-08}
   projected_spheres,
-  /// projects the path onto fitted planes \cgalCite{cgal:hp-emss-04}
+  /// Projects the path onto fitted planes \cgalCite{cgal:hp-emss-04}
   projected_planes,
-  /// attracts the path to algebraic spheres by the energy
+  /// Attracts the path to algebraic spheres by the energy
   spheres,
-  /// as `spheres`, with robust weights: surfels far from their neighbors are ignored. Use it for
+  /// As `spheres`, with robust weights: surfels far from their neighbors are ignored. Use it for
   /// outliers that remain with `Surfel_noise::kept`, or that are too few to be detected as noise.
   robust_spheres,
-  /// attracts the path to fitted planes by the energy
+  /// Attracts the path to fitted planes by the energy
   planes,
-  /// attracts the path to the disks of the surfels by the energy \cgalCite{cgal:rdsk-asg-06}
+  /// Attracts the path to the disks of the surfels by the energy \cgalCite{cgal:rdsk-asg-06}
   disks
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// selects whether surfels are denoised before paths are computed. Denoising moves the surfels to
+/// Selects whether surfels are denoised before paths are computed. Denoising moves the surfels to
 /// an estimated surface.
 enum class Surfel_noise
 {
@@ -80,7 +80,7 @@ enum class Surfel_noise
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// stores the decrease of the energy of a path on one level, with a fixed number of control points.
+/// Stores the decrease of the energy of a path on one level, with a fixed number of control points.
 struct Path_energy_level
 {
   std::size_t number_of_control_points = 0; ///< the number of control points

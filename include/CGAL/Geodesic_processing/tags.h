@@ -9,7 +9,7 @@ namespace CGAL::Geodesic_processing {
 /// Methods for distances: the first template argument of `geodesic_distances()`.
 /// @{
 
-/// selects Dijkstra's algorithm: the length of the shortest path along edges, or along graph edges
+/// Selects Dijkstra's algorithm: the length of the shortest path along edges, or along graph edges
 /// between surfels. \cgalCite{cgal:d-ntpcg-59}
 ///
 /// The result is never shorter than the distance on the surface. It does not converge to this
@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing {
 struct Dijkstra
 {};
 
-/// selects fast marching: the front crosses each triangle as a straight line. Obtuse triangles are
+/// Selects fast marching: the front crosses each triangle as a straight line. Obtuse triangles are
 /// split by unfolding. \cgalCite{cgal:ks-cgpm-98}
 ///
 /// The error is proportional to the edge length to the power of 0.7 to 0.8. It is about 1 percent
@@ -25,7 +25,7 @@ struct Dijkstra
 struct Fast_marching
 {};
 
-/// selects a circular front: it crosses each triangle as a circle around an unfolded source. Each
+/// Selects a circular front: it crosses each triangle as a circle around an unfolded source. Each
 /// vertex stores the direction to its source.
 ///
 /// The triangles are those of an intrinsic triangulation with the metric of the mesh.
@@ -50,7 +50,7 @@ struct Fast_marching
 struct Euclidean_front
 {};
 
-/// selects the exact distance on the polyhedron, on meshes only. Windows are propagated across
+/// Selects the exact distance on the polyhedron, on meshes only. Windows are propagated across
 /// edges. \cgalCite{cgal:mmp-dgp-87}
 ///
 /// The distance is exact up to round-off errors on every mesh, including saddles, boundaries and
@@ -75,7 +75,7 @@ struct Euclidean_front
 struct Exact
 {};
 
-/// selects the heat method. One linear system determines the direction of the heat flow, and
+/// Selects the heat method. One linear system determines the direction of the heat flow, and
 /// another one the distance. \cgalCite{cgal:cww-ghnac-13}
 ///
 /// The result is a smooth approximation. Its mean error is about 1 percent on fine scans and 7
@@ -84,7 +84,7 @@ struct Exact
 struct Heat
 {};
 
-/// selects the default method: the most accurate one that the surface and the speeds admit.
+/// Selects the default method: the most accurate one that the surface and the speeds admit.
 ///
 /// - On a mesh it is `Exact`, if no speed is given, or if all speeds that are not zero are equal.
 /// - On a mesh with other speeds, and on a cloud, it is `Euclidean_front`.

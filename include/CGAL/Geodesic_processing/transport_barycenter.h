@@ -9,7 +9,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the barycenter of mass distributions: the distribution with the minimum weighted sum
+/// Computes the barycenter of mass distributions: the distribution with the minimum weighted sum
 /// of squared earth mover's distances to the given ones.
 ///
 /// If several barycenters on one surface are computed, use `Transport_barycenter_solver`, which

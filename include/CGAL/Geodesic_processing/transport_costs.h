@@ -10,7 +10,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// stores the earth mover's distance of two mass distributions with certified bounds, in the unit
+/// Stores the earth mover's distance of two mass distributions with certified bounds, in the unit
 /// of the coordinates times that of the masses.
 struct Earth_movers_cost
 {
@@ -32,7 +32,7 @@ struct Earth_movers_cost
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// stores the cost of a barycenter with certified bounds. The cost is the weighted sum of squared
+/// Stores the cost of a barycenter with certified bounds. The cost is the weighted sum of squared
 /// earth mover's distances. Its unit is the square of the unit of `Earth_movers_cost`.
 struct Transport_barycenter_cost
 {

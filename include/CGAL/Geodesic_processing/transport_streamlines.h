@@ -12,7 +12,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the streamlines along which one mass distribution is transported to another. For the
+/// Computes the streamlines along which one mass distribution is transported to another. For the
 /// streamlines of a solver's last query, use `Transport_solution::streamlines()`.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`

@@ -9,7 +9,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the minimum cost of moving masses to a region, where each mass arrives at the vertex
+/// Computes the minimum cost of moving masses to a region, where each mass arrives at the vertex
 /// that is cheapest for it.
 ///
 /// If there are many mass distributions and one region, use `Region_transport_solver`, which

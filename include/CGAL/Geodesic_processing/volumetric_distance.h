@@ -9,7 +9,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the distance between two points in space, inside or outside of a closed mesh. For many
+/// Computes the distance between two points in space, inside or outside of a closed mesh. For many
 /// queries, use a `Volumetric_metric`, which is precomputed only once.
 ///
 /// \tparam Mesh a model of `FaceListGraph`, or its domain

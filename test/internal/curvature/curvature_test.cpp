@@ -90,7 +90,7 @@ TEST(Curvature, cylinder_has_one_non_zero_curvature)
     const Point& p = pipe.points[i];
     if(p[2] < 0.6 || p[2] > 5.4)
       continue;
-    // The dihedral angle of each edge is 2 pi / 80.  A ball covers eight parallel edges: one more
+    // The dihedral angle of each edge is 2 pi / 80. A ball covers eight parallel edges: one more
     // or less changes the curvature by an eighth.
     EXPECT_NEAR(found[i].max_curvature, 1. / radius, 0.1 / radius);
     EXPECT_NEAR(found[i].min_curvature, 0., 0.02 / radius);
@@ -140,7 +140,7 @@ TEST(Curvature, saddle_has_curvatures_of_opposite_sign)
                                        return 0.5 * (u * u - v * v);
                                      });
   const Curvature middle = curvatures_of(saddle, 0.25)[30 + 61 * 30];
-  // Normals point upwards: the curvature of a valley is negative.  In a ball of radius 0.25 the
+  // Normals point upwards: the curvature of a valley is negative. In a ball of radius 0.25 the
   // curvature decreases to (1 + 0.25^2)^-1.5 of that in the center.
   EXPECT_NEAR(middle.min_curvature, -1., 0.1);
   EXPECT_NEAR(middle.max_curvature, 1., 0.1);

@@ -685,7 +685,7 @@ TEST(Window_propagation, finds_all_shortest_paths_on_platonic_solids)
                             {0., 1., 1.}},
                            {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
                             1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7}};
-  // Octahedron: through the centers of four pairs of faces.  Cube: over six edges.
+  // Octahedron: through the centers of four pairs of faces. Cube: over six edges.
   struct Case
   {
     Triangulation surface;
@@ -748,7 +748,7 @@ TEST(Window_propagation, finds_shortest_paths_on_both_sides_of_hole)
 
 TEST(Window_propagation, shortest_path_is_unique_off_cut_locus)
 {
-  // Random locations, and vertices of surfaces without symmetry, are not on the cut locus.  On a
+  // Random locations, and vertices of surfaces without symmetry, are not on the cut locus. On a
   // cylinder the vertices opposite to the source are.
   for(const Triangulation& shape :
       {square(12, 0.24), jittered(icosphere(3), 0.02), jittered(cone(12, 6, 5.), 0.02),
@@ -1178,7 +1178,7 @@ TEST(Window_propagation, distances_at_many_locations_equal_single_ones)
 
 TEST(Window_propagation, distance_at_a_target_crosses_edges_with_far_ends)
 {
-  // Needles across the way from the source to the target.  Their ends are farther than the target.
+  // Needles across the way from the source to the target. Their ends are farther than the target.
   Triangulation strip;
   for(int i = 0; i <= 8; ++i)
     for(const double y : {-10., 10.})

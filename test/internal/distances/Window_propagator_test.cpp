@@ -82,7 +82,7 @@ TEST(Window_propagator, work_is_bounded)
   const std::size_t n = icosphere(3).corners.size();
   EXPECT_LT(work(icosphere(3), 0), 20 * n); // a few windows cross each halfedge
   EXPECT_EQ(Window_propagator::usual_max_work(10000), 1010000000u);
-  // Windows circulate around the tips.  Twice the degree makes four times the work, and 2^1.5 = 2.8
+  // Windows circulate around the tips. Twice the degree makes four times the work, and 2^1.5 = 2.8
   // times the variable part of the bound.
   EXPECT_GT(work(double_cone(200), 2), 3 * work(double_cone(100), 2));
 }

@@ -23,7 +23,7 @@ using namespace CGAL::Geodesic_processing::test;
 using Kind = Front_kind;
 constexpr Kind all_kinds[] = {Kind::dijkstra, Kind::planar, Kind::euclidean};
 
-// Final vertices are corrected only if their distance changes by more than 1e-12.  On these
+// Final vertices are corrected only if their distance changes by more than 1e-12. On these
 // surfaces smaller errors are propagated some tens of times.
 constexpr double flat_tolerance = 1e-10;
 // Round-off error of a sum of some hundred lengths.
@@ -74,8 +74,8 @@ TEST(Front, is_exact_on_flat_convex_meshes)
 
 TEST(Front, is_exact_on_flat_meshes_of_obtuse_triangles)
 {
-  // Angles up to 168 degrees.  A vertex may propagate before the correct front arrives around a
-  // needle.  Then its descendants must be invalidated.
+  // Angles up to 168 degrees. A vertex may propagate before the correct front arrives around a
+  // needle. Then its descendants must be invalidated.
   for(const double height : {0.2, 0.3, 5.})
     for(const unsigned seed : {1u, 2u, 3u})
     {
@@ -138,7 +138,7 @@ TEST(Front, is_exact_on_cones_and_behind_saddles)
   }
 }
 
-// A square without the wall [0.5, 0.5 + 1/n] x [0, 0.5].  Shortest paths bend at the wall's two
+// A square without the wall [0.5, 0.5 + 1/n] x [0, 0.5]. Shortest paths bend at the wall's two
 // upper corners.
 struct Square_with_wall
 {
@@ -225,7 +225,7 @@ TEST(Front, converges_with_second_order_on_sphere)
   const double coarse = error_on_sphere(3, Kind::euclidean),
                middle = error_on_sphere(4, Kind::euclidean),
                fine = error_on_sphere(5, Kind::euclidean);
-  // Each level halves the edges.  The cut locus, at which the front meets itself, is a point.
+  // Each level halves the edges. The cut locus, at which the front meets itself, is a point.
   EXPECT_GT(std::log2(coarse / fine) / 2., 1.6);
   EXPECT_GT(std::log2(middle / fine), 1.5);
   EXPECT_LT(fine, 0.0015); // for 10,242 vertices
@@ -233,7 +233,7 @@ TEST(Front, converges_with_second_order_on_sphere)
 
 TEST(Front, is_accurate_on_skewed_grid)
 {
-  // A face of a cube projected to a sphere.  If fronts enter each triangle only once, the errors
+  // A face of a cube projected to a sphere. If fronts enter each triangle only once, the errors
   // are up to 2.8 % (see reentry_ratio).
   const Triangulation cube_face = grid(60, 60,
                                        [](double u, double v)
@@ -252,7 +252,7 @@ TEST(Front, is_accurate_on_skewed_grid)
     const auto d =
         run(surface, Kind::euclidean, {surface.source(surface.in(triangle, barycentric))});
     for(Index i = 0; i < d.size(); ++i)
-      // The error that reentry_ratio documents.  The source is below the sphere by an eighth of a
+      // The error that reentry_ratio documents. The source is below the sphere by an eighth of a
       // squared edge length, 1e-4.
       EXPECT_NEAR(d[i] / great_circle(unit(position), cube_face.points[i]), 1.,
                   d[i] > 0.2 ? 2.5e-3 : 0.1)
@@ -263,7 +263,7 @@ TEST(Front, is_accurate_on_skewed_grid)
 TEST(Front, planar_front_converges_with_first_order)
 {
   const double coarse = error_on_sphere(3, Kind::planar), fine = error_on_sphere(5, Kind::planar);
-  // The error is h log h: straight fronts are inaccurate close to the source.  The logarithm
+  // The error is h log h: straight fronts are inaccurate close to the source. The logarithm
   // reduces the observed order by about one half.
   EXPECT_GT(std::log2(coarse / fine) / 2., 0.5);
   EXPECT_LT(fine, 0.02);
@@ -403,7 +403,7 @@ TEST(Front, is_exact_in_triangle_of_source)
 
 TEST(Front, is_straight_next_to_polyline_source)
 {
-  // Half of the middle column of edges; both ends are inside the square.  The front is straight to
+  // Half of the middle column of edges; both ends are inside the square. The front is straight to
   // the left and right, and circular around the ends.
   Triangulation plane = square(24, 0.24);
   std::vector<Index> line;
@@ -672,7 +672,7 @@ TEST(Front, does_not_cross_obstacles)
 }
 
 // Returns the travel time from (0.5, 0) to a point, with slowness 1 below y = 0.5 and slowness p
-// above.  The minimum over all paths is found by bisection of the derivative (Snell's law).
+// above. The minimum over all paths is found by bisection of the derivative (Snell's law).
 double time_through_layers(const Point& target, double p)
 {
   if(target[1] <= 0.5)
@@ -1177,7 +1177,7 @@ TEST(Front, is_exact_in_plane_if_long_edges_are_bisected)
             flat_tolerance);
 }
 
-// A closed cylinder of radius and height 1.  As in CAD models, all of the 2n vertices are on the two
+// A closed cylinder of radius and height 1. As in CAD models, all of the 2n vertices are on the two
 // circles, and long triangles join them.
 Triangulation closed_cylinder(Index n)
 {

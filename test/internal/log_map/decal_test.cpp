@@ -20,7 +20,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The identity map of the unit square, relative to its center.  Only vertices up to a distance from
+// The identity map of the unit square, relative to its center. Only vertices up to a distance from
 // the center are reached.
 struct Flat_map
 {
@@ -44,7 +44,7 @@ struct Flat_map
 
 TEST(decal, finds_triangles_of_intersected_cells)
 {
-  // A grid of 10 x 10 cells with two triangles each.  The rectangle [0.31, 0.69] x [0.45, 0.55]
+  // A grid of 10 x 10 cells with two triangles each. The rectangle [0.31, 0.69] x [0.45, 0.55]
   // intersects columns 3 to 6 and rows 4 to 5.
   const Array_surface surface(square(10));
   const Flat_map map(surface.t());

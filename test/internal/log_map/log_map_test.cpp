@@ -94,7 +94,7 @@ TEST(log_map, fit_is_exact_in_the_plane)
 
 TEST(log_map, mean_normal_angle_matches_sphere)
 {
-  // The vertex normals of a subdivided icosahedron approximate those of the sphere.  So the angle
+  // The vertex normals of a subdivided icosahedron approximate those of the sphere. So the angle
   // between two of them is approximately the length of the edge.
   const Array_surface surface(icosphere(3));
   const double scale = surface.t().scale;

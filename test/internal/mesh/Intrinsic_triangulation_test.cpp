@@ -19,7 +19,7 @@ namespace Intrinsic_triangulation_test {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The vertices keep their positions.  In a plane, the triangles of the triangulation are those of
+// The vertices keep their positions. In a plane, the triangles of the triangulation are those of
 // the plane, so that a location has coordinates in both.
 Vec3 point_in(const Surface_arrays& mesh, const Surface_arrays& triangles,
               const Surface_location& location)

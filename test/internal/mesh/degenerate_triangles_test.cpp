@@ -53,7 +53,7 @@ TEST(Degenerate_triangles, other_meshes_are_not_copied)
 }
 
 // The vertex v = (0, 0) is on the side AB of the triangle above it, which is joined to it by a flat
-// triangle.  Below v, the wedge DvE is missing, so that paths from D bend at v into all directions
+// triangle. Below v, the wedge DvE is missing, so that paths from D bend at v into all directions
 // between those of Dv and vB.
 TEST(Degenerate_triangles, paths_spread_from_vertex_on_an_edge)
 {

@@ -116,7 +116,7 @@ TEST(Feature_polylines, sampling_follows_spacing)
   const auto number_left = std::count_if(samples.begin(), samples.end(),
                                          [](const Point& p) { return p[0] < 0.5 - 1e-9; });
   // On the left, one edge and two halves of the square have 40, 20 and 20 steps, and the last
-  // sample is at x = 0.5.  On the right they have 5, 5 and 10 steps.
+  // sample is at x = 0.5. On the right they have 5, 5 and 10 steps.
   EXPECT_EQ(number_left, 79);
   EXPECT_EQ(samples.size(), 100u);
 }

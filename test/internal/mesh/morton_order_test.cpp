@@ -100,7 +100,7 @@ TEST(Morton_order, is_permutation_that_keeps_locality)
   std::vector<Index> all(n);
   std::iota(all.begin(), all.end(), 0);
   EXPECT_EQ(sorted, all);
-  // In a box of 3.8 x 1.1 x 3.8 the mean distance of two random points is 1.9.  Along a curve
+  // In a box of 3.8 x 1.1 x 3.8 the mean distance of two random points is 1.9. Along a curve
   // through cells of one point each it is about the size of a cell, 0.1, plus some jumps.
   double sum = 0.;
   for(std::size_t i = 1; i < n; ++i)

@@ -30,7 +30,7 @@ TEST(Orient_triangles, flips_minority)
 
 TEST(Orient_triangles, splits_nonorientable_component)
 {
-  // A Moebius strip of n quadrilaterals.  The ends are joined with opposite orientations.
+  // A Moebius strip of n quadrilaterals. The ends are joined with opposite orientations.
   const Index n = 12;
   std::vector<Index> corners;
   for(Index i = 0; i < n; ++i)

@@ -76,7 +76,7 @@ TEST(Self_intersections, embedded_surfaces_have_none_at_any_scale)
       EXPECT_EQ(find_pairs(scaled(surface, scale)), Pairs());
 }
 
-// A triangle intersects the plane z = 0 if it has corners on both sides.  No corner is in the
+// A triangle intersects the plane z = 0 if it has corners on both sides. No corner is in the
 // plane.
 TEST(Self_intersections, finds_intersection_of_sphere_and_plane)
 {

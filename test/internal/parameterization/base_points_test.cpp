@@ -41,7 +41,7 @@ TEST(base_points, spacing_is_below_surface_width)
     };
     EXPECT_EQ(suitable_number_of_base_points(Array_surface(scaled(square(10), scale)).t()), 200u);
     EXPECT_EQ(suitable_number_of_base_points(strip(100).t()), 200u);
-    // The mean width is 800 / 802.  A hexagon with 0.85 of that between opposite edges has the area
+    // The mean width is 800 / 802. A hexagon with 0.85 of that between opposite edges has the area
     // 0.6226.
     EXPECT_EQ(suitable_number_of_base_points(strip(400).t()), 642u);
     EXPECT_EQ(suitable_number_of_base_points(strip(2000).t()), 1000u);

@@ -35,9 +35,9 @@ double largest_move(const std::vector<Vec2>& a, const std::vector<Vec2>& b)
   return result;
 }
 
-// Newton's method ends if a step decreases the energy by less than 1e-4.  A triangle stretched by e
-// adds 8 e^2.  So the last step stretches no triangle of a region of a hundred by more than about
-// one hundredth.  Displacements are relative to the length of an edge.
+// Newton's method ends if a step decreases the energy by less than 1e-4. A triangle stretched by e
+// adds 8 e^2. So the last step stretches no triangle of a region of a hundred by more than about
+// one hundredth. Displacements are relative to the length of an edge.
 constexpr double edge_length_tolerance = 0.05;
 
 TEST(untangling, restores_displaced_vertex_of_planar_map)

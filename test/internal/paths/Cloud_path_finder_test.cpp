@@ -92,7 +92,7 @@ TEST(Cloud_path_finder, follows_great_circles)
       const double expected =
           2. * std::asin(std::min(1., norm(sphere.points[b] - sphere.points[a]) / 2.));
       const Cloud_path found = finder(a, b);
-      // Spheres are fitted exactly.  The error is of fourth order in the step, 1/100.
+      // Spheres are fitted exactly. The error is of fourth order in the step, 1/100.
       EXPECT_NEAR(finder.scale() * found.path.length, expected, 1e-8);
       EXPECT_LE(found.path.length, found.initial_length * (1. + round_off));
       EXPECT_LE(found.path.polyline_length, found.path.length * (1. + round_off));
@@ -210,7 +210,7 @@ TEST(Cloud_path_finder, is_robust_to_outliers)
     const double robust = error(with_outliers_added, Surfel_path_method::robust_spheres);
     EXPECT_LT(robust,
               (level > 0. ? 0.5 : 0.1) * error(with_outliers_added, Surfel_path_method::spheres));
-    // One outlier in fifty is too small to be detected.  These are one in a thousand surfels.
+    // One outlier in fifty is too small to be detected. These are one in a thousand surfels.
     if(level > 0.)
     {
       EXPECT_LT(robust, 1.2 * error(noisy, Surfel_path_method::robust_spheres));
@@ -231,8 +231,8 @@ TEST(Cloud_path_finder, crosses_sharp_edges_of_cube)
     Finder finder(cube, make_options(method));
     ASSERT_EQ(finder.fitted_cloud().cloud().number_of_components, 1u);
     const Cloud_path found = finder(from, to);
-    // After the last refinement, segments are 1/16 of 1/28 long.  One of them cuts the edge, which
-    // shortens the path by 1 - sqrt(1/2) of its length.  Disks end half a spacing before the edge.
+    // After the last refinement, segments are 1/16 of 1/28 long. One of them cuts the edge, which
+    // shortens the path by 1 - sqrt(1/2) of its length. Disks end half a spacing before the edge.
     EXPECT_NEAR(finder.scale() * found.path.length, expected,
                 method == Surfel_path_method::projected_quadrics ? 2e-3 : 0.02)
         << int(method);
@@ -252,7 +252,7 @@ TEST(Cloud_path_finder, does_not_cross_gaps)
   const std::size_t from = nearest_point(square, {0.1, 0.5, 0.}),
                     to = nearest_point(square, {0.9, 0.5, 0.});
   const Cloud_path found = finder(from, to);
-  // The path passes two corners of the gap.  The disks of surfels extend 1.5 radii into it.  A
+  // The path passes two corners of the gap. The disks of surfels extend 1.5 radii into it. A
   // radius is one step, and 1.3 steps at the boundary.
   const double step = 1. / 40., surfel_reach = 1.5 * 1.3 * step;
   const double max_length = 2. * std::hypot(0.1 + step, 0.2 + step) + 0.4 + 2. * step,
@@ -336,7 +336,7 @@ TEST(Cloud_path_finder, goes_around_fold_with_few_control_points)
 
 TEST(Cloud_path_finder, stays_near_surfels_of_anisotropic_sampling)
 {
-  // A plane sampled in rows, as by a scanner.  The distance between rows is between those of the
+  // A plane sampled in rows, as by a scanner. The distance between rows is between those of the
   // sixth and the twentieth neighbor in a row.
   for(const double noise : {0., 1.})
   {

@@ -44,7 +44,7 @@ Cloud random_sphere(std::size_t n)
 
 TEST(Cloud_tracer, follows_great_circles)
 {
-  // The fit reproduces a sphere, and a step reproduces a great circle.  So only round-off errors
+  // The fit reproduces a sphere, and a step reproduces a great circle. So only round-off errors
   // remain at any density.
   for(const Cloud& cloud : {octahedron_sphere(2), octahedron_sphere(4), random_sphere(4000)})
   {
@@ -87,7 +87,7 @@ double error_on_torus(std::size_t n)
 TEST(Cloud_tracer, converges_to_geodesics_of_torus)
 {
   const double coarse = error_on_torus(2500), fine = error_on_torus(10000);
-  // Half of the spacing divides the error by about four.  Geodesics diverge on the inside, which
+  // Half of the spacing divides the error by about four. Geodesics diverge on the inside, which
   // amplifies the error of the fit.
   EXPECT_LT(fine, 0.5 * coarse);
   EXPECT_LT(fine, 3e-4); // measured: 1.5e-4
@@ -133,7 +133,7 @@ TEST(Cloud_tracer, is_straight_in_plane_and_stops_at_boundary)
     const Traced_path cut = trace(from, direction, 5.);
     EXPECT_TRUE(cut.is_cut_by_boundary);
     EXPECT_LT(norm(cut.points.back() - start - cut.length * direction), round_off);
-    // Beyond the last surfels, the surface ends at 1.5 radii.  The radius of a surfel at the
+    // Beyond the last surfels, the surface ends at 1.5 radii. The radius of a surfel at the
     // boundary is 1.1 spacings on average with its neighbors.
     const Vec3& end = cut.points.back();
     const double distance_outside = std::max(std::abs(end[0] - 0.5), std::abs(end[1] - 0.5)) - 0.5;
@@ -231,7 +231,7 @@ TEST(Cloud_tracer, tolerates_noise)
     EXPECT_NEAR(path.length, 3., round_off);
     sum += norm(path.points.back() - std::cos(3.) * p - std::sin(3.) * direction) / 3.;
   }
-  // The normals have errors of up to 10 degrees, the points of 0.01.  Measured: 0.003.
+  // The normals have errors of up to 10 degrees, the points of 0.01. Measured: 0.003.
   EXPECT_LT(sum / 50., 0.01);
 }
 

@@ -106,7 +106,7 @@ TEST(Graph_search, finds_short_paths_with_coarse_to_fine_search)
       visited += search.number_of_visited_vertices();
       expect_chain(cloud.graph, chain, a, b);
       // The length of a coarse path of 16 regions or more has an error of some percent, because
-      // each step has an error of 10 %.  So the corridor may follow a path that is longer by this.
+      // each step has an error of 10 %. So the corridor may follow a path that is longer by this.
       const double excess = chain_length(cloud, chain) / shortest_length - 1.;
       EXPECT_LT(excess, 0.06);
       EXPECT_GT(excess, -round_off);

@@ -51,7 +51,7 @@ TEST(Path_finder, yields_shortest_paths_on_sphere)
     const double angle = 2. * std::asin(std::min(1., distance(p, q) / 2.));
     const double length =
         shorten_geodesic(t, finder(surface.at(a), surface.at(b))).length * t.scale;
-    // Paths are compared with great circles.  The polyhedron is inside the sphere, at a depth below
+    // Paths are compared with great circles. The polyhedron is inside the sphere, at a depth below
     // h^2 / 8 times the radius.
     EXPECT_LE(length, angle * (1. + round_off) + round_off);
     EXPECT_GE(length, angle * (1. - edge_length * edge_length / 4.) - round_off);
@@ -131,7 +131,7 @@ TEST(Path_finder, visits_fewer_vertices_with_landmarks)
     // Paths can differ if their lengths are equal in single precision.
     EXPECT_NEAR(a, b, 1e-2 * a);
   }
-  // The bound of a landmark is tight if the goal is between it and the vertex.  On a sphere, this
+  // The bound of a landmark is tight if the goal is between it and the vertex. On a sphere, this
   // is rare: with eight landmarks, a search visits two thirds of the vertices, with sixteen fewer
   // than half.
   EXPECT_LT(2 * number_visited_guided_more, visited);

@@ -104,7 +104,7 @@ TEST(path_energy, value_matches_equation_4_of_paper)
   options.constraint = Path_constraint::energy;
   options.alpha = 3.;
   options.beta = 5.;
-  // Two segments of lengths 1 and 4.  The node between them is at distance 1 from the unit sphere.
+  // Two segments of lengths 1 and 4. The node between them is at distance 1 from the unit sphere.
   const Path_state state =
       evaluate_on_sphere(options, {1., 1.}, {{1., 0., 0.}, {2., 0., 0.}, {2., 0., 4.}});
   const double distance_of_midpoint = std::sqrt(4. + 4.) - 1.,
@@ -162,7 +162,7 @@ struct Block : Path_surface
 
 TEST(path_energy, decreases_if_foot_points_jump)
 {
-  // The path zigzags.  The node before the block jumps to its top after an arbitrarily small step.
+  // The path zigzags. The node before the block jumps to its top after an arbitrarily small step.
   const Block surface;
   std::vector<Projection> path(41);
   for(std::size_t i = 0; i < path.size(); ++i)
@@ -254,7 +254,7 @@ TEST(path_energy, shortens_paths_on_implicit_torus)
     meridian.push_back(on_torus(0.2 * std::sin(pi * t), 2.5 * t));
   }
   const Path_options options;
-  // The inner equator is a shortest path locally.  The tolerance is the error of fourth order in
+  // The inner equator is a shortest path locally. The tolerance is the error of fourth order in
   // the step, and that of the gradient's differences.
   EXPECT_NEAR(shorten_path(squared_distance_from_torus, options, equator).length, 1.5 * 0.6, 1e-5);
   EXPECT_NEAR(shorten_path(squared_distance_from_torus, options, meridian).length, 2.5 * 0.4, 1e-5);

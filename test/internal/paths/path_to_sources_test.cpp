@@ -66,7 +66,7 @@ TEST(Path_to_sources, ends_at_nearest_source)
                                      { return candidate.polyline[0].vertex == end; });
     ASSERT_NE(source, sources.end());
     expect_path_on_surface(t, path, surface.at(i), source->polyline[0]);
-    // If two sources are almost equally far, the path may end at either.  Their distances then
+    // If two sources are almost equally far, the path may end at either. Their distances then
     // differ by less than the length of an edge.
     const double length_with_offset = surface.scale() * (source->offset + path_length(t, path)),
                  distance = surface.scale() * front.distance(surface.vertex(i));

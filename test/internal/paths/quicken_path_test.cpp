@@ -84,7 +84,7 @@ TEST(Quicken_path, refracts_as_snell_demands)
   }
   const double fastest = std::hypot(0.5, low) + 3. * std::hypot(0.5, 1. - low);
   EXPECT_GE(time, fastest * (1. - 1e-12)); // round-off errors of a sum of segments
-  // The path is the fastest one in its strip of triangles.  With three points per edge, the best
+  // The path is the fastest one in its strip of triangles. With three points per edge, the best
   // strip is found up to about this error.
   EXPECT_LE(time, fastest * (1. + 1e-3));
 }
@@ -99,7 +99,7 @@ TEST(Quicken_path, goes_around_slow_block_and_obstacle)
           slowness_of(surface, [&](const Point& p) { return block(p) > 1. ? slow : 1.; });
       const Paths paths(surface, slowness);
       const double time = paths.time(paths.from(1680));
-      // Around the corner (0.7, 0.1) or (0.3, 0.9).  The triangles of the block, whose centers are
+      // Around the corner (0.7, 0.1) or (0.3, 0.9). The triangles of the block, whose centers are
       // in it, reach beyond it or not by at most an edge.
       const double edge = 1. / 40., fastest = std::hypot(0.7, 0.1) + std::hypot(0.3, 0.9);
       EXPECT_GT(time, fastest - 2. * edge);

@@ -19,7 +19,7 @@ using namespace CGAL::Geodesic_processing::test;
 constexpr double round_off = 1e-12;
 
 // Corners are cut if this shortens the path by more than round-off errors, which is quadratic in
-// the angle.  So the error of angles is at most the square root of round-off errors.
+// the angle. So the error of angles is at most the square root of round-off errors.
 constexpr double angle_tolerance = 1e-6;
 
 Locally_shortest_path checked_shortening(const Array_surface& surface,
@@ -57,7 +57,7 @@ TEST(Shorten_geodesic, is_exact_on_irregular_flat_mesh)
 TEST(Shorten_geodesic, is_exact_through_lattice_vertices)
 {
   const Array_surface surface(square(16));
-  // The path follows the lower and the right boundary.  The shortest path is the diagonal.
+  // The path follows the lower and the right boundary. The shortest path is the diagonal.
   std::vector<Index> vertices;
   for(Index i = 0; i <= 16; ++i)
     vertices.push_back(i);
@@ -120,7 +120,7 @@ TEST(Shorten_geodesic, keeps_winding_number_on_cylinder)
     vertices.push_back(Index(3 * n));
     vertices.push_back(Index(4 * n));
     // Consecutive rings are rotated by half a step, so that the surface is not a prism and the
-    // exact length is unknown.  The test checks that the path is locally shortest and still winds.
+    // exact length is unknown. The test checks that the path is locally shortest and still winds.
     const auto path = checked_shortening(surface, surface.along(vertices));
     EXPECT_GT(path.length * surface.t().scale, 0.95 * number_of_turns * perimeter);
   }
@@ -306,7 +306,7 @@ TEST(Shorten_geodesic, handles_slivers_and_zero_length_edges)
     const auto path = shorten_geodesic(t, chain);
     expect_path_on_surface(t, path.locations, surface.at(p), surface.at(q));
     EXPECT_LE(path.length, path_length(t, chain) * (1. + round_off) + round_off);
-    // The straight line is found across the degenerate triangles.  The error is at most the width
+    // The straight line is found across the degenerate triangles. The error is at most the width
     // of the slivers.
     EXPECT_NEAR(path.length * t.scale, distance(flat.points[p], flat.points[q]), 2e-9);
     expect_locally_shortest(path, angle_tolerance);

@@ -96,7 +96,7 @@ TEST(Shorten_on_cloud, follows_great_circles_on_sphere)
       const double length = polyline_length(cloud.t(), path) * cloud.t().scale;
       const double chord = distance(point_at(cloud.t(), p), point_at(cloud.t(), q));
       const double expected = 2. * std::asin(std::min(1., chord / 2.));
-      // Edges of length h have h^2 of about 12.6 / n.  An inscribed polyline with steps of 2 h is
+      // Edges of length h have h^2 of about 12.6 / n. An inscribed polyline with steps of 2 h is
       // shorter by h^2 / 6, and by half of this again because the triangles are inside the sphere.
       EXPECT_NEAR(length, expected, expected * 12.6 / double(n)) << n;
       // Each location lies on a triangle near the sphere.

@@ -54,8 +54,8 @@ Projection project_to_half_plane(const Vec3& p)
   return result;
 }
 
-// The floor z = 0 for x < 1, and the wall x = 1 for z > 0 or for z < 0.  As on a cloud, a point is
-// projected to the plane of the nearest surfel.  The surfels begin at 0.02 from the edge.
+// The floor z = 0 for x < 1, and the wall x = 1 for z > 0 or for z < 0. As on a cloud, a point is
+// projected to the plane of the nearest surfel. The surfels begin at 0.02 from the edge.
 template <int sign>
 Projection project_to_edge(const Vec3& p)
 {

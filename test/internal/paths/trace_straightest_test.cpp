@@ -118,7 +118,7 @@ TEST(Trace_straightest, is_straight_past_nearly_hit_vertices)
     const Surface_location at =
         surface.at(Index((n + 1) * (1 + random() % (n - 1)) + 1 + random() % (n - 1)));
     const Point p = point_at(surface.t(), from), q = point_at(surface.t(), at);
-    // The distance to the vertex is close to the tolerance of a hit.  One of the edges at the
+    // The distance to the vertex is close to the tolerance of a hit. One of the edges at the
     // vertex may be hit at its endpoint, and another one may not.
     const double offset = (i % 41 - 20) * 1e-13 / n;
     const Point direction = {q[0] - p[0] - offset * (q[1] - p[1]),

@@ -188,7 +188,7 @@ TEST(Prediction_stencils, match_modified_butterfly)
 }
 
 // On the interior of a regular grid, linear prediction has second order and the butterfly fourth
-// order.  So each level divides the details by 4 or 16.
+// order. So each level divides the details by 4 or 16.
 TEST(Lifting, smooth_values_have_small_details)
 {
   const Model m = model(square(4), 5);

@@ -77,7 +77,7 @@ TEST(Zerotree, decodes_to_precision_of_last_plane)
         double max_magnitude = 0.;
         for(std::size_t i = 0; i < m.signal.values.size(); ++i)
           max_magnitude = std::max(max_magnitude, norms[i / 3] * std::abs(m.signal.values[i]));
-        // The error is at most the unit of the last plane.  The largest coefficient is at least
+        // The error is at most the unit of the last plane. The largest coefficient is at least
         // half of 2^exponent.
         for(std::size_t i = 0; i < m.signal.values.size(); ++i)
           ASSERT_NEAR(norms[i / 3] * d.signal.values[i], norms[i / 3] * m.signal.values[i],
@@ -114,7 +114,7 @@ TEST(Zerotree, every_prefix_decodes_and_error_decreases)
   EXPECT_LT(last, 1e-3);
 }
 
-// If any bit is flipped in the header or base mesh, decode() throws.  Otherwise it returns the
+// If any bit is flipped in the header or base mesh, decode() throws. Otherwise it returns the
 // planes before the bit.
 TEST(Zerotree, detects_damage)
 {
@@ -151,7 +151,7 @@ TEST(Zerotree, respects_max_number_of_bytes)
   }
 }
 
-// With 6 bits per vertex, the error is less than 1 % of the error of uniform quantization.  The
+// With 6 bits per vertex, the error is less than 1 % of the error of uniform quantization. The
 // latter has 2 bits per coordinate, whose range is at least 2, so that its error is
 // 2 / 4 / sqrt(12) per coordinate.
 TEST(Zerotree, compresses_smooth_surfaces)

@@ -122,7 +122,7 @@ TEST(Surfel_surface, robust_weights_reject_outliers)
     const auto [plain, plain_with_outliers] = errors(level, Surfel_fit::spheres);
     const auto [robust, robust_with_outliers] = errors(level, Surfel_fit::robust_spheres);
     // The outliers below the threshold add 1 to 2 % to the variance, which is half as much of the
-    // error.  The remaining difference is random.
+    // error. The remaining difference is random.
     EXPECT_LT(robust_with_outliers, 1.05 * robust);
     // Without robust weights, the fit only uses the few graph neighbors, which have a similar
     // height as the nearest surfel.
@@ -141,8 +141,8 @@ TEST(Surfel_surface, projects_to_disks)
 {
   const Surfel_cloud cloud = cloud_of(square_cloud(11));
   const Surface surface(cloud, Surfel_fit::disks);
-  // In the interior, the projection is that to the plane.  Beyond the corner, it is the closest
-  // point of the last disk.  The radius of this disk is the mean of the neighbors' radii.
+  // In the interior, the projection is that to the plane. Beyond the corner, it is the closest
+  // point of the last disk. The radius of this disk is the mean of the neighbors' radii.
   const Projection inside = surface.project(cloud.point[60] + Vec3{0.01, 0.02, 0.05}, 60);
   EXPECT_LT(norm(inside.point - cloud.point[60] - Vec3{0.01, 0.02, 0.}), 1e-15);
   Index corner = 0;
@@ -231,7 +231,7 @@ TEST(Surfel_surface, stays_inside_coverage)
 
 TEST(Surfel_surface, walk_length_follows_graph)
 {
-  // A square with a slit from its boundary to the center.  The slit is 5 steps wide, so that no
+  // A square with a slit from its boundary to the center. The slit is 5 steps wide, so that no
   // edge crosses it.
   const Cloud square = part_of(square_cloud(41), [](const Vec3& p)
                                { return std::abs(p[0] - 0.5) > 0.06 || p[1] > 0.5; });

@@ -61,7 +61,7 @@ TEST(denoise, flattens_planes)
   const auto height = [](const Vec3& p) { return p[2]; };
   const double before = deviation(noisy, height), after = deviation(denoised(noisy), height);
   // The largest fits use about a quarter of the surfels, which divides the noise by the square root
-  // of their number.  The result is within a factor of 2 of this.
+  // of their number. The result is within a factor of 2 of this.
   EXPECT_LT(after, 2. * before / std::sqrt(3600. / 4.));
 }
 
@@ -74,8 +74,8 @@ TEST(denoise, preserves_spheres_and_cylinders)
   const auto sphere_distance = [](const Vec3& p) { return norm(p) - 1.; };
   const auto cylinder_distance = [](const Vec3& p) { return std::hypot(p[0], p[1]) - 1.; };
   // The curvature of both is constant, so fits extend until the normals differ by 60 degrees: about
-  // 1,000 surfels.  At the center of a quadric fit to 1,000 surfels, the error is 2 / sqrt(1000) of
-  // the noise.  Differences between neighboring fits add half of this.
+  // 1,000 surfels. At the center of a quadric fit to 1,000 surfels, the error is 2 / sqrt(1000) of
+  // the noise. Differences between neighboring fits add half of this.
   EXPECT_LT(deviation(denoised(noisy_sphere), sphere_distance),
             0.1 * deviation(noisy_sphere, sphere_distance));
   EXPECT_LT(deviation(denoised(noisy_cylinder), cylinder_distance),
@@ -88,7 +88,7 @@ TEST(denoise, preserves_tori)
   const Cloud noisy = with_noise(torus, std::vector<double>(torus.size(), 0.05), 1., 1);
   const auto torus_distance = [](const Vec3& p)
   { return std::hypot(std::hypot(p[0], p[1]) - 1., p[2]) - 0.4; };
-  // A tenth of the noise remains.  With quadrics without higher-order terms, it would be a seventh.
+  // A tenth of the noise remains. With quadrics without higher-order terms, it would be a seventh.
   EXPECT_LT(deviation(denoised(noisy), torus_distance), 0.12 * deviation(noisy, torus_distance));
 }
 

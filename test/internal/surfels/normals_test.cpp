@@ -36,7 +36,7 @@ TEST(normals, converge_on_a_torus)
 
 TEST(normals, are_oriented_consistently_in_each_component)
 {
-  // The spheres are too far apart to be connected.  The highest point of each has an upward normal,
+  // The spheres are too far apart to be connected. The highest point of each has an upward normal,
   // so all normals point outward.
   const Cloud sphere = ellipsoid_cloud(500, {1., 1., 1.});
   std::vector<Vec3> points;

@@ -88,7 +88,7 @@ TEST(Reconstruction, does_not_depend_on_addresses)
 {
   const Surfel_arrays surfels = surfels_of(icosphere(3));
   const std::vector<Index> expected = reconstruct_surface(surfels).arrays.corner;
-  // Memory that stays allocated shifts the addresses of the following runs.  Without a canonical
+  // Memory that stays allocated shifts the addresses of the following runs. Without a canonical
   // orientation, every third run was different.
   std::vector<std::vector<char>> blocks;
   for(std::size_t i = 1; i <= 20; ++i)

@@ -227,7 +227,7 @@ TEST(Surfel_arrays, triangles_are_oriented_by_normals)
 }
 
 // Expects that the triangles tile the unit square: all corners find the same triangles, and each
-// interior edge has two of them.  Their area is that of the square except along the boundary.
+// interior edge has two of them. Their area is that of the square except along the boundary.
 void expect_tiling(const Cloud& cloud, double tolerance)
 {
   const Surfel_arrays surfels = cloud.build_arrays();
@@ -272,10 +272,10 @@ TEST(Surfel_arrays, triangles_cover_a_sphere)
     expect_consistent(surfels, 4000);
     EXPECT_EQ(number_of_components(surfels.arrays), 1u);
     // The area of an inscribed triangulation with the mean edge length h is smaller by about
-    // h^2 / 4, which is 0.05 % here.  If the corners of a triangle find different triangles, areas
+    // h^2 / 4, which is 0.05 % here. If the corners of a triangle find different triangles, areas
     // are counted partially or twice.
     EXPECT_NEAR(weighted_area(surfels.arrays) / (4. * pi), 1., 2e-3);
-    // A closed mesh of genus 0 has 2 (4000 - 2) triangles.  Some more are found by one corner only.
+    // A closed mesh of genus 0 has 2 (4000 - 2) triangles. Some more are found by one corner only.
     EXPECT_NEAR(double(surfels.arrays.number_of_triangles()), 7996., 60.);
   }
 }
@@ -567,11 +567,11 @@ TEST(Surfel_arrays, locates_points_on_nearest_tangent_plane)
     const Vec3 query = unit({coordinate(random), coordinate(random), coordinate(random)});
     const Tangent_location location = locate(surfels, query);
     const Vec3 found = t.origin + t.scale * position(t, location);
-    // The distance of a tangent plane from the sphere is half of the squared offset.  The spacing
+    // The distance of a tangent plane from the sphere is half of the squared offset. The spacing
     // is 0.065, and the nearest surfel is within 0.75 spacings.
     EXPECT_LT(norm(found - query), 0.0013);
 
-    // Convert to a triangle and back.  The triangle is below the sphere by the same distance.  The
+    // Convert to a triangle and back. The triangle is below the sphere by the same distance. The
     // direction of the projection is the normal at the surfel.
     const Surface_location in_triangle = to_surface_location(t, location);
     ASSERT_NE(in_triangle.triangle, none);

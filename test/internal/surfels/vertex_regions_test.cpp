@@ -76,7 +76,7 @@ TEST(make_regions, edge_lengths_bound_shortest_paths)
       double shortest = 0.;
       for(std::size_t i = 0; i + 1 < path.size(); ++i)
         shortest += norm(cloud.point[path[i + 1]] - cloud.point[path[i]]);
-      // The edge is the length of a path, so the shortest path is not longer.  Both parts of this
+      // The edge is the length of a path, so the shortest path is not longer. Both parts of this
       // path are shortest paths, so it is less than twice as long in practice.
       EXPECT_GT(regions.graph.length[e], shortest * (1. - 1e-12));
       EXPECT_LT(regions.graph.length[e], 2. * shortest);

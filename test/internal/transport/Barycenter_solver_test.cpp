@@ -123,7 +123,7 @@ TEST(Barycenter_solver, bounds_are_certified)
   }
 }
 
-// On needles, the flows do not move all masses.  The distances contain the cost of the remaining
+// On needles, the flows do not move all masses. The distances contain the cost of the remaining
 // ones.
 TEST(Barycenter_solver, distances_of_needles_are_upper_bounds)
 {
@@ -242,7 +242,7 @@ TEST(Barycenter_solver, full_weight_selects_mass)
       solver.solve({masses[0], masses[1]}, {1e-3, 1.}, with_tolerance(0.01));
   // A lower bound of a minimum.
   EXPECT_LE(nearly_second.lower, 1e-3 * distance * distance);
-  // The optimum is at 1e-3 of the distance.  A cost that is 1 % of 1e-3 too large moves it by at
+  // The optimum is at 1e-3 of the distance. A cost that is 1 % of 1e-3 too large moves it by at
   // most 0.0032 of the distance.
   EXPECT_LE(nearly_second.distances[1], 0.0043 * distance);
 }

@@ -110,7 +110,7 @@ TEST(Multilevel_transport_solver, converges_under_refinement)
     lower_error = exact - found.lower;
     upper_error = found.upper_continuous - exact;
 
-    // Coarsened flows move the same masses.  The potential is restricted to the coarse vertices.
+    // Coarsened flows move the same masses. The potential is restricted to the coarse vertices.
     const Operators o = operators(surface.t());
     Vector masses = Vector::Zero(surface.size());
     for(std::size_t k = 0; k < 3; ++k)
@@ -127,7 +127,7 @@ TEST(Multilevel_transport_solver, converges_under_refinement)
   }
 }
 
-// Refinement halves the error around masses at vertices.  Around masses inside triangles, the
+// Refinement halves the error around masses at vertices. Around masses inside triangles, the
 // error depends on their positions.
 TEST(Multilevel_transport_solver, estimate_extrapolates)
 {
@@ -143,7 +143,7 @@ TEST(Multilevel_transport_solver, estimate_extrapolates)
   }
 }
 
-// Linear densities on a square, moved to the right.  On each line, the cost is the integral of
+// Linear densities on a square, moved to the right. On each line, the cost is the integral of
 // the difference of the cumulative masses before and after, 2 x - 2 x^2.
 TEST(Multilevel_transport_solver, transports_densities)
 {
@@ -224,7 +224,7 @@ TEST(Multilevel_transport_solver, respects_metric)
   EXPECT_NEAR(value({}), std::sqrt(2.), gap * std::sqrt(2.));
   EXPECT_NEAR(value(std::vector<Metric_tensor>(n, {3., 0., 3.})), 3. * std::sqrt(2.),
               3. * gap * std::sqrt(2.));
-  // Doubling lengths along x gives the diagonal of a rectangle.  Tensors are given in the frame
+  // Doubling lengths along x gives the diagonal of a rectangle. Tensors are given in the frame
   // of each triangle.
   std::vector<Metric_tensor> metric;
   for(std::size_t f = 0; f < n; ++f)
@@ -462,7 +462,7 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
       for(const Index exit : exits)
       {
         EXPECT_EQ(found.potential[surface.vertex(exit)], 0.);
-        // All mass takes the shortest path.  Within the gap, a small fraction can take another
+        // All mass takes the shortest path. Within the gap, a small fraction can take another
         // exit.
         const bool is_nearest =
             exact_distance(surface, surface.at(from), surface.at(exit)) < exact + round_off;
@@ -504,7 +504,7 @@ TEST(Multilevel_transport_solver, potential_bounds_distance_to_region)
   }
 }
 
-// The region is one boundary edge of a square, given by its vertices.  Mass moves perpendicular
+// The region is one boundary edge of a square, given by its vertices. Mass moves perpendicular
 // to it.
 TEST(Multilevel_transport_solver, mass_arrives_along_region)
 {
@@ -523,7 +523,7 @@ TEST(Multilevel_transport_solver, mass_arrives_along_region)
     for(Index row = 0; row < 9; ++row)
       EXPECT_NEAR(found.arrivals[surface.vertex(9 * row + 8)], row % 8 == 0 ? 1. / 16. : 1. / 8.,
                   1e-3); // the error that the gap allows
-    // Mass inside the region does not move.  Normalization scales the total mass of 0.5 to one.
+    // Mass inside the region does not move. Normalization scales the total mass of 0.5 to one.
     Mass_distribution some = at(surface.at(0), 0.25);
     some.at_locations.emplace_back(surface.at(8), 0.25);
     Transport_options options = with_tolerance(1e-6);

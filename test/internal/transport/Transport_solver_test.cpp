@@ -251,7 +251,7 @@ TEST(Transport_solver, error_is_below_one_percent_on_sphere)
       EXPECT_GT(value(from, to), 0.99 * exact);
       EXPECT_LT(value(from, to), exact * (1. + 0.5e-3)); // half the gap
     }
-  // Between the poles the flow leaves in all directions.  In a fan of five triangles, a function
+  // Between the poles the flow leaves in all directions. In a fan of five triangles, a function
   // of slope one with equal values at the neighbors changes by at most 0.81 of an edge length.
   EXPECT_GT(value(0, 3), 0.98 * exact_distance(surface, 0, 3));
 }
@@ -383,7 +383,7 @@ TEST(Transport_solver, handles_degenerate_triangles)
   EXPECT_NEAR(transport.value * surface.scale(), std::sqrt(2.), 1.5e-3); // the gap of 1e-3
 }
 
-// A unit mass and three exits in one row of a square.  The potential is a function of the
+// A unit mass and three exits in one row of a square. The potential is a function of the
 // distances to the exits, whose kinks are along columns of vertices; so that the discretization
 // is exact.
 struct Exit_problem

@@ -50,7 +50,7 @@ TEST(Admm, minimizes_length_on_affine_line)
   {
     const Affine_line line = {o, random_field(o.number_of_triangles(), seed),
                               random_field(o.number_of_triangles(), seed + 10)};
-    // The cost is convex.  Golden section search finds c up to 1e-8.
+    // The cost is convex. Golden section search finds c up to 1e-8.
     double low = -10., high = 10.;
     while(high - low > 1e-8)
     {

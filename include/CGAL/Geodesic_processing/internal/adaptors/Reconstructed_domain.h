@@ -15,7 +15,7 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // The domain of a cloud for algorithms that require a manifold surface: the surface of
-// reconstruct_surface() replaces the triangles of the cloud.  Vertices and locations in the
+// reconstruct_surface() replaces the triangles of the cloud. Vertices and locations in the
 // interface are those of the cloud.
 template <typename SurfelRange>
 class Reconstructed_domain
@@ -37,7 +37,7 @@ public:
   std::size_t number_of_vertices() const { return m_cloud.number_of_vertices(); }
   Vertex vertex(Index index) const { return m_cloud.vertex((*m_vertex_of_cloud)[index]); }
 
-  // Returns the closest location on the reconstructed surface.  Not every surfel is a vertex of it.
+  // Returns the closest location on the reconstructed surface. Not every surfel is a vertex of it.
   internal::Surface_location inner(const Location& location) const
   {
     return m_tree.nearest(coordinates(*m_cloud.triangles(), m_cloud.inner(location)));

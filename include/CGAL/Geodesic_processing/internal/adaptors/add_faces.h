@@ -16,8 +16,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Adds the points and polygons of a surface to a mesh.  Returns the faces in the order of the
-// polygons.  If `vertices` is given, it is set to the vertices in the order of the points.
+// Adds the points and polygons of a surface to a mesh. Returns the faces in the order of the
+// polygons. If `vertices` is given, it is set to the vertices in the order of the points.
 template <typename Polygon, typename OutputMesh>
 auto add_faces(
     const std::vector<std::array<double, 3>>& points, const std::vector<Polygon>& polygons,

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-// Values of a property map as arrays of numbers.  A number has one channel, an array one per
+// Values of a property map as arrays of numbers. A number has one channel, an array one per
 // element, and a point or vector three.
 
 namespace CGAL::Geodesic_processing::internal {

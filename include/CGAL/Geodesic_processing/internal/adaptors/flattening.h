@@ -27,7 +27,7 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Adds the base points of the named parameters to a sampling, or by default samples
-// `default_number` vertices by farthest points.  Throws Unsupported_surface_error if the surface is
+// `default_number` vertices by farthest points. Throws Unsupported_surface_error if the surface is
 // not connected, and Invalid_argument_error if base points are repeated or their number is out of
 // range.
 template <typename Domain, typename NamedParameters>
@@ -71,7 +71,7 @@ void sample_base_points(const Domain& domain, const NamedParameters& np, std::si
 }
 
 // Samples base points, computes the map and writes the image of each vertex to `uv_map`; vertices
-// that are not reached get NaN.  Returns the base points.  Throws Cancelled if the callback returns
+// that are not reached get NaN.  Returns the base points. Throws Cancelled if the callback returns
 // false.
 //
 // map(triangles, sampling, front, callback): returns the image of each vertex in scaled units, or

@@ -68,7 +68,7 @@ Shared_slowness read_slowness(const Domain& domain, const NamedParameters& np)
 }
 
 // Converts the named parameters of a distance query (maximum distance, callback, targets, speeds,
-// relative tolerance) to the limits of a front, in scaled units.  Throws Invalid_argument_error
+// relative tolerance) to the limits of a front, in scaled units. Throws Invalid_argument_error
 // if the maximum distance or the tolerance is negative or not a number.
 template <typename Domain, typename NamedParameters>
 Front_limits limits(const Domain& domain, const NamedParameters& np)

@@ -52,7 +52,7 @@ Vector vertex_values(const Domain& domain, const PropertyMap& map)
 }
 
 // Converts a vertex or location (unit mass), a range of these (unit mass in equal fractions), a
-// property map of masses, or a Mass_density.  Throws Invalid_argument_error if a range is empty
+// property map of masses, or a Mass_density. Throws Invalid_argument_error if a range is empty
 // or a location is invalid.
 template <typename Domain, typename From>
 Mass_distribution masses(const Domain& domain, const From& from)
@@ -95,7 +95,7 @@ inline Metric_tensor square_root(const Metric_tensor& a)
 // metric: returns the metric of a triangle as an `Eigen::Matrix3d`
 // result: #triangles, or empty for the identity
 //
-// Throws Invalid_argument_error if a tensor is not positive definite.  O(n).
+// Throws Invalid_argument_error if a tensor is not positive definite. O(n).
 template <typename Metric>
 void multiply_by_metric(const Surface_arrays& t, const Metric& metric,
                         std::vector<Metric_tensor>& result)
@@ -124,9 +124,9 @@ void multiply_by_metric(const Surface_arrays& t, const Metric& metric,
 }
 
 // #triangles: returns the tensors A of the kernels' metric, by which lengths of vectors v are
-// |A v|, from the named parameters of speeds and metrics; empty if all are missing.  A is the
-// square root of the metric divided by the speed.  Throws Invalid_argument_error if a speed is
-// invalid or a metric is not positive definite.  O(n).
+// |A v|, from the named parameters of speeds and metrics; empty if all are missing. A is the
+// square root of the metric divided by the speed. Throws Invalid_argument_error if a speed is
+// invalid or a metric is not positive definite. O(n).
 template <typename Domain, typename NamedParameters>
 std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParameters& np)
 {

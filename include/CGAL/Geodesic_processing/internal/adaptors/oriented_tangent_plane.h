@@ -52,7 +52,7 @@ inline constexpr bool has_z = false;
 template <typename T>
 inline constexpr bool has_z<T, std::void_t<decltype(std::declval<const T&>().z())>> = true;
 
-// Reads a vector of the tangent plane.  Throws Invalid_argument_error if it is not finite.
+// Reads a vector of the tangent plane. Throws Invalid_argument_error if it is not finite.
 template <typename TangentVector>
 std::array<double, 2> tangent_vector(const TangentVector& vector)
 {
@@ -65,7 +65,7 @@ std::array<double, 2> tangent_vector(const TangentVector& vector)
   return result;
 }
 
-// Computes the exponential map.  On a mesh, it traces straightest geodesics on the triangles.
+// Computes the exponential map. On a mesh, it traces straightest geodesics on the triangles.
 template <typename Domain, bool is_cloud = Is_cloud<typename Domain::Surface>::value>
 class Exponential_tracer
 {
@@ -82,7 +82,7 @@ public:
   }
 };
 
-// On a cloud, it traces geodesics on the fitted surface.  The surface is fitted at the first call;
+// On a cloud, it traces geodesics on the fitted surface. The surface is fitted at the first call;
 // copies share it and can be used concurrently.
 template <typename Domain>
 class Exponential_tracer<Domain, true>

@@ -82,7 +82,7 @@ struct Surfel_input
 };
 
 // Reads the surfels of a range by the property maps of named parameters, by default those of the
-// range.  Throws Unsupported_surface_error if there are no normals.
+// range. Throws Unsupported_surface_error if there are no normals.
 template <typename SurfelRange, typename NamedParameters>
 Surfel_input read_surfels(const SurfelRange& range, const NamedParameters& np)
 {

@@ -13,8 +13,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Appends the vertices of a mesh to `vertices_of_mesh` in their order.  Returns the faces as
-// triples of positions in that order.  Throws Unsupported_surface_error if a face is not a
+// Appends the vertices of a mesh to `vertices_of_mesh` in their order. Returns the faces as
+// triples of positions in that order. Throws Unsupported_surface_error if a face is not a
 // triangle.
 template <typename TriangleMesh>
 std::vector<std::array<Index, 3>> read_triangles(

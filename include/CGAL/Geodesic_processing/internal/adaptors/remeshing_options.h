@@ -49,7 +49,7 @@ std::vector<bool> constrained_halfedges(const Domain& domain, const NamedParamet
 }
 
 // Returns for each halfedge the spacing of samples along its edge if the edge is kept, in scaled
-// units.  Zero means no given spacing; the result is empty if no spacing is given at all.
+// units. Zero means no given spacing; the result is empty if no spacing is given at all.
 template <typename Domain, typename NamedParameters>
 std::vector<double> halfedge_spacing(const Domain& domain, const NamedParameters& np)
 {
@@ -75,7 +75,7 @@ std::vector<double> halfedge_spacing(const Domain& domain, const NamedParameters
   return result;
 }
 
-// Converts the named parameters of a remeshing or of a base mesh to options.  Throws
+// Converts the named parameters of a remeshing or of a base mesh to options. Throws
 // Invalid_argument_error if one is out of range.
 template <typename Domain, typename NamedParameters>
 Remeshing_options remeshing_options(const Domain& domain, std::size_t number,

@@ -74,8 +74,8 @@ std::vector<Surface_location> locations(const Domain& domain, const Range& range
   return result;
 }
 
-// Converts a source of the caller to a source of a front, in scaled units.  The label is
-// `position`.  Throws Invalid_argument_error if the offset is not finite, if the polyline is empty,
+// Converts a source of the caller to a source of a front, in scaled units. The label is
+// `position`. Throws Invalid_argument_error if the offset is not finite, if the polyline is empty,
 // or if two consecutive locations are in no common triangle.
 template <typename Domain>
 internal::Front_source source(const Domain& domain,
@@ -103,7 +103,7 @@ internal::Front_source source(const Domain& domain,
 }
 
 // Converts a vertex, a location, a source, or a range of one of them to sources of a front.
-// Appends the label of each source to `labels`.  Throws Invalid_argument_error if there is no
+// Appends the label of each source to `labels`. Throws Invalid_argument_error if there is no
 // source.
 template <typename Domain, typename Sources>
 std::vector<internal::Front_source> sources(const Domain& domain, const Sources& input,

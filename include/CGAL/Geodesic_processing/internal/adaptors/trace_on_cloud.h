@@ -14,7 +14,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Fits a surface to the surfels of a domain.  O(n log n).
+// Fits a surface to the surfels of a domain. O(n log n).
 template <typename Domain>
 Cloud_tracer make_cloud_tracer(const Domain& domain, unsigned number_of_threads)
 {
@@ -23,7 +23,7 @@ Cloud_tracer make_cloud_tracer(const Domain& domain, unsigned number_of_threads)
                       number_of_threads);
 }
 
-// Converts a surfel or a location of the caller to a location of a tracer.  Throws
+// Converts a surfel or a location of the caller to a location of a tracer. Throws
 // Invalid_argument_error if the surfel is not in the cloud or the offset is not finite.
 template <typename Domain, typename SurfelOrLocation>
 Tangent_location traced_location(const Domain& domain, const SurfelOrLocation& element)

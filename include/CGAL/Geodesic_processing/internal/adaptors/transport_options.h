@@ -10,7 +10,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Reads `tolerance`, `maximum_number_of_iterations`, `callback` and `do_bound_from_above`.  The
+// Reads `tolerance`, `maximum_number_of_iterations`, `callback` and `do_bound_from_above`. The
 // other options keep their defaults.
 template <typename NamedParameters>
 Transport_options transport_options(const NamedParameters& np)

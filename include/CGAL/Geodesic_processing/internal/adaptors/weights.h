@@ -13,7 +13,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns the weights given by a named parameter, by default ones.  Throws Invalid_argument_error
+// Returns the weights given by a named parameter, by default ones. Throws Invalid_argument_error
 // as check_weights() does.
 template <typename NamedParameters>
 std::vector<double> weights(const NamedParameters& np, std::size_t number)

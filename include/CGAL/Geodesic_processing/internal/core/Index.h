@@ -14,7 +14,7 @@ using Index = std::uint32_t;
 inline constexpr Index none = static_cast<Index>(-1);
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Triangle f has the corners 3f, 3f+1, 3f+2 and the halfedges of the same indices.  The halfedge
+// Triangle f has the corners 3f, 3f+1, 3f+2 and the halfedges of the same indices. The halfedge
 // 3f+k runs from corner 3f+k to the next corner of the triangle.
 constexpr Index next_halfedge(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
 constexpr Index previous_halfedge(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }

@@ -24,12 +24,12 @@ class Path_surface
 public:
   virtual ~Path_surface() = default;
 
-  // Returns the closest point of the surface to `point`.  `hint` is the vertex of the projection of
+  // Returns the closest point of the surface to `point`. `hint` is the vertex of the projection of
   // a point nearby, or none.
   virtual Projection project(const Vec3& point, Index hint) const = 0;
 
-  // Returns `point` if it is close enough to the surface; otherwise a point that is.  The vertex is
-  // a hint as above.  By default the surface has no such limit.
+  // Returns `point` if it is close enough to the surface; otherwise a point that is. The vertex is
+  // a hint as above. By default the surface has no such limit.
   virtual Vec3 clamped_to_coverage(const Vec3& point, Index) const { return point; }
 };
 

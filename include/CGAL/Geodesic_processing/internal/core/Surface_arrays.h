@@ -14,7 +14,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A graph of vertices 0..n-1 in compressed rows.  The edges that leave vertex v have the indices
+// A graph of vertices 0..n-1 in compressed rows. The edges that leave vertex v have the indices
 // begin[v], ..., begin[v + 1] - 1.
 struct Proximity_graph
 {
@@ -24,8 +24,8 @@ struct Proximity_graph
   std::vector<double> length;
 };
 
-// Minimum length of an edge, for surfaces whose extent is about one.  Shorter edges are set to it:
-// across an edge of length zero no direction is defined.  Far below every tolerance of distances,
+// Minimum length of an edge, for surfaces whose extent is about one. Shorter edges are set to it:
+// across an edge of length zero no direction is defined. Far below every tolerance of distances,
 // far above the round-off errors of coordinates.
 inline constexpr double min_edge_length = 0x1p-36;
 
@@ -40,7 +40,7 @@ enum class Bisected_edges
 };
 
 // What all fronts on the same arrays share, as long as one of these fronts exists; see
-// vertex_fans.h and Intrinsic_triangulation.h.  A copy of the arrays starts without it, because its
+// vertex_fans.h and Intrinsic_triangulation.h. A copy of the arrays starts without it, because its
 // lengths may be changed.
 struct Shared_structures
 {
@@ -73,7 +73,7 @@ struct Surface_arrays
   std::vector<Index> twin;    // 3 #triangles: the opposite halfedge or none; empty for a cloud
   std::vector<double> length; // 3 #triangles: of each halfedge; for a mesh the maximum is in [1, 2)
   std::vector<Index> ring_begin; // #vertices + 1: begin of the corners of each vertex in `ring`
-  // 3 #triangles: the corners of each vertex.  On a mesh the corners of a fan are in
+  // 3 #triangles: the corners of each vertex. On a mesh the corners of a fan are in
   // counterclockwise order; the fans of a nonmanifold vertex follow each other
   std::vector<Index> ring;
   // #triangles, in (0, 1]; empty for a mesh, whose triangles have weight 1
@@ -93,8 +93,8 @@ struct Surface_arrays
   bool is_cloud() const { return !graph.begin.empty(); }
 };
 
-// A location on a mesh or cloud: a point of a triangle, or, if `triangle` is none, a vertex.  A
-// vertex without triangles can only be given as a vertex.  The barycentric coordinates are in the
+// A location on a mesh or cloud: a point of a triangle, or, if `triangle` is none, a vertex. A
+// vertex without triangles can only be given as a vertex. The barycentric coordinates are in the
 // order of the corners and sum to one.
 struct Surface_location
 {
@@ -103,7 +103,7 @@ struct Surface_location
   std::array<double, 3> barycentric = {1., 0., 0.};
 };
 
-// A source of a front: a polyline of one or more locations.  Consecutive locations must be in a
+// A source of a front: a polyline of one or more locations. Consecutive locations must be in a
 // common triangle.
 struct Front_source
 {

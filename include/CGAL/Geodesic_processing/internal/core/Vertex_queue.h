@@ -12,7 +12,7 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // A priority queue of vertices with the smallest key first, whose keys can be changed: a 4-ary heap
-// with the position of each vertex.  The four children of a node share a cache line.  O(log n) per
+// with the position of each vertex. The four children of a node share a cache line. O(log n) per
 // push and pop.
 class Vertex_queue
 {
@@ -41,7 +41,7 @@ public:
       sift_up(position, vertex, key);
   }
 
-  // Inserts a vertex that is not in the queue.  Unlike push(), it does not read the position of the
+  // Inserts a vertex that is not in the queue. Unlike push(), it does not read the position of the
   // vertex, which can cost a cache miss.
   void insert(Index vertex, double key)
   {
@@ -59,7 +59,7 @@ public:
     return top;
   }
 
-  // Removes all vertices.  O(size of the queue).
+  // Removes all vertices. O(size of the queue).
   void clear()
   {
     for(const Entry& entry : m_heap)
@@ -100,7 +100,7 @@ private:
     set(position, vertex, key);
   }
 
-  // Computes the smallest of four children without branches.  A mispredicted branch to the minimum
+  // Computes the smallest of four children without branches. A mispredicted branch to the minimum
   // takes 5 % of the time of a front.
   std::size_t min_of_four(std::size_t first) const
   {
@@ -120,7 +120,7 @@ private:
         m_heap.begin());
   }
 
-  // Writes the members one by one.  If the entry is copied as a whole, it is read right after
+  // Writes the members one by one. If the entry is copied as a whole, it is read right after
   // partial writes; this stall takes 10 % of the time of a front.
   void set(std::size_t position, Index vertex, double key)
   {

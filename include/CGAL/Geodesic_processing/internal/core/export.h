@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_EXPORT_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_EXPORT_H
 
-// Marks the symbols that a shared library exports.  All others are hidden.
+// Marks the symbols that a shared library exports. All others are hidden.
 #if defined(_WIN32) && defined(CGAL_GEODESIC_PROCESSING_SHARED)
 #  ifdef CGAL_GEODESIC_PROCESSING_BUILDING
 #    define CGAL_GEODESIC_PROCESSING_EXPORT __declspec(dllexport)

@@ -13,11 +13,11 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Calls body(block, begin, end) for all blocks of a partition of 0..size-1 into blocks of
-// `block_size`.  The partition does not depend on `number_of_threads`.  If each call writes only to
+// `block_size`. The partition does not depend on `number_of_threads`. If each call writes only to
 // data of its own block, the result is the same for every number of threads.
 //
 // If a call throws, the remaining blocks are skipped, and the exception of the thread with the
-// lowest index is rethrown.  If the system cannot start a thread, the others process the blocks.
+// lowest index is rethrown. If the system cannot start a thread, the others process the blocks.
 template <typename Body>
 void for_each_block(std::size_t size, std::size_t block_size, unsigned number_of_threads,
                     const Body& body)

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-// Locations of paths on a mesh.  A location is canonical if it is in a triangle, unless its vertex
-// has no triangle, and if each coordinate is zero or above 1e-14.  Zero coordinates then tell
+// Locations of paths on a mesh. A location is canonical if it is in a triangle, unless its vertex
+// has no triangle, and if each coordinate is zero or above 1e-14. Zero coordinates then tell
 // whether it is at a vertex, on an edge or inside a triangle.
 
 namespace CGAL::Geodesic_processing::internal {
@@ -23,8 +23,8 @@ namespace CGAL::Geodesic_processing::internal {
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location canonical(const Surface_arrays& triangles, const Surface_location& location);
 
-// Checks a location given by a user and returns its canonical form.  Coordinates may be off by
-// round-off errors of up to 1e-6.  Throws Invalid_argument_error if a coordinate is below -1e-6 or
+// Checks a location given by a user and returns its canonical form. Coordinates may be off by
+// round-off errors of up to 1e-6. Throws Invalid_argument_error if a coordinate is below -1e-6 or
 // not a number, or if the sum of the coordinates is not one.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location checked(const Surface_arrays& triangles, const Surface_location& location);
@@ -44,7 +44,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location vertex_location(const Surface_arrays& triangles, Index vertex);
 
 // Returns the corner or vertex at which a canonical location is, or the halfedge of its triangle
-// that contains it in its interior.  If there is none, returns none.
+// that contains it in its interior. If there is none, returns none.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Index corner_of(const Surface_location& location);
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -81,7 +81,7 @@ bool is_same_point(const Surface_arrays& triangles, const Surface_location& p,
 // of the length of all paths between them.
 inline double straight_distance(const Vec3& p, const Vec3& q)
 {
-  // The relative round-off error of the distance of two points is below 4 epsilon.  The coordinates
+  // The relative round-off error of the distance of two points is below 4 epsilon. The coordinates
   // are of order one.
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   return std::max(0., norm(p - q) * (1. - 4. * epsilon) - 16. * epsilon);
@@ -96,7 +96,7 @@ double straight_distance(const Surface_arrays& triangles, const Surface_location
 CGAL_GEODESIC_PROCESSING_EXPORT
 double polyline_length(const Surface_arrays& triangles, const std::vector<Surface_location>& path);
 
-// Returns the length of a path on the surface, in scaled units.  Throws Invalid_argument_error if
+// Returns the length of a path on the surface, in scaled units. Throws Invalid_argument_error if
 // two consecutive locations are in no common triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double path_length(const Surface_arrays& triangles, const std::vector<Surface_location>& path);

@@ -9,7 +9,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Computes 1 / speed.  A speed of zero, which is an obstacle, yields infinity.  Throws
+// Computes 1 / speed. A speed of zero, which is an obstacle, yields infinity. Throws
 // Invalid_argument_error if a speed is negative or not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> slowness_of(std::vector<double> speed);

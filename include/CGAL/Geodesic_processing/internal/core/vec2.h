@@ -35,7 +35,7 @@ inline Vec2 rotated_back(const Vec2& p, const Vec2& q)
 }
 
 // Computes the cosine and the sine of the angle between the edges of lengths a and b of a triangle
-// whose third edge has the length `opposite`.  The angle of a degenerate triangle is 0 or pi.
+// whose third edge has the length `opposite`. The angle of a degenerate triangle is 0 or pi.
 inline Vec2 angle_between(double a, double b, double opposite)
 {
   const double product = 2. * a * b;
@@ -59,7 +59,7 @@ inline Vec2 apex(const Surface_arrays& triangles, Index h)
   return triangles.length[previous_halfedge(h)] * corner_angle(triangles, h);
 }
 
-// Returns the point of the segment from p to q that is closest to x.  Sets `is_inside` if it is not
+// Returns the point of the segment from p to q that is closest to x. Sets `is_inside` if it is not
 // an end of the segment.
 inline Vec2 closest_point_on_segment(const Vec2& x, const Vec2& p, const Vec2& q, bool& is_inside)
 {
@@ -71,7 +71,7 @@ inline Vec2 closest_point_on_segment(const Vec2& x, const Vec2& p, const Vec2& q
 }
 
 // A straight (planar) wavefront that crosses the base from (0, 0) to (base, 0), with `slope` as the
-// derivative of its arrival time along the base, in (-1, 1).  Computes its arrival time at a point
+// derivative of its arrival time along the base, in (-1, 1). Computes its arrival time at a point
 // behind the base, relative to the origin.
 struct Straight_front
 {

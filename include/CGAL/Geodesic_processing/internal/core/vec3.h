@@ -40,7 +40,7 @@ inline Vec3 unit(const Vec3& p)
 }
 
 // Computes two unit vectors that form a positively oriented orthonormal frame with the unit vector
-// n.  They depend on n only (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
+// n. They depend on n only (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
 inline std::pair<Vec3, Vec3> tangent_frame(const Vec3& n)
 {
   const double sign = std::copysign(1., n[2]);
@@ -49,7 +49,7 @@ inline std::pair<Vec3, Vec3> tangent_frame(const Vec3& n)
           {b, sign + n[1] * n[1] * a, -n[1]}};
 }
 
-// Computes the barycentric coordinates of the point of triangle abc that is closest to p.  The
+// Computes the barycentric coordinates of the point of triangle abc that is closest to p. The
 // triangle must not be degenerate.
 inline std::array<double, 3> nearest_in_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
                                                  const Vec3& p)

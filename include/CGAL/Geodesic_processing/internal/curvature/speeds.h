@@ -19,7 +19,7 @@ std::vector<double> total_curvatures(const std::shared_ptr<const Surface_arrays>
                                      double radius, unsigned number_of_threads);
 
 // Returns min_curvature + max_curvature of each vertex, which is twice the mean curvature, times
-// the square root of the surface's area.  Negative if the surface bends towards its normals.
+// the square root of the surface's area. Negative if the surface bends towards its normals.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> doubled_mean_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
                                             double radius, unsigned number_of_threads);
@@ -28,8 +28,8 @@ std::vector<double> doubled_mean_curvatures(const std::shared_ptr<const Surface_
 inline constexpr double sphere_total_curvature = 7.0898154036220641;
 
 // Returns for each vertex (#vertices) the area-weighted mean of the gradient norms of its
-// triangles, divided by the largest of these means; 0 if all are 0.  The squared norm of a triangle
-// is the sum over the channels.  channels: #vertices values each.  Throws Invalid_argument_error if
+// triangles, divided by the largest of these means; 0 if all are 0. The squared norm of a triangle
+// is the sum over the channels. channels: #vertices values each. Throws Invalid_argument_error if
 // a value is not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> relative_gradient_norms(const Surface_arrays& triangles,

@@ -74,16 +74,16 @@ constexpr Front_kind front_kind()
 // What computes the rows of a matrix; each thread has a copy.
 using Row_engine = std::variant<const Front*, const Window_propagation*, const Heat_solver*>;
 
-// Computes distances by a method that is chosen at run time.  Adaptors that hold it are instantiated
-// once for all methods.  The dispatch is outside of the loops of the kernels.
+// Computes distances by a method that is chosen at run time. Adaptors that hold it are instantiated
+// once for all methods. The dispatch is outside of the loops of the kernels.
 class CGAL_GEODESIC_PROCESSING_EXPORT Distance_engine
 {
 public:
   Distance_engine(Distance_method method, std::shared_ptr<const Surface_arrays> triangles);
 
-  // Selects the kernel that admits the speeds, if the method is automatic.  run() calls it.  Throws
+  // Selects the kernel that admits the speeds, if the method is automatic. run() calls it. Throws
   // Unsupported_surface_error if there is a relative tolerance and the kernel is not exact, or if
-  // the kernel does not admit the speeds.  Then the last result remains.
+  // the kernel does not admit the speeds. Then the last result remains.
   void select(const Front_limits& limits);
   // As those of Front.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
@@ -105,7 +105,7 @@ public:
   }
   // Returns the exact kernel, or null if the last query used another one.
   const Window_propagation* windows() const { return std::get_if<Window_propagation>(&m_kernel); }
-  // Returns the kernel for the rows of a matrix, which bypasses the dispatch.  Requires select().
+  // Returns the kernel for the rows of a matrix, which bypasses the dispatch. Requires select().
   Row_engine row_engine() const;
 
 private:

@@ -31,18 +31,18 @@ struct Front_vertex
 {
   double distance = infinity;
   // On a mesh with directions: the corner of this vertex in the triangle through which the front
-  // arrived.  Otherwise, and on a cloud: the predecessor, or none.
+  // arrived. Otherwise, and on a cloud: the predecessor, or none.
   Index corner = none;
   Index state = 0; // the flags of front_relaxation.h
 };
 
 // The data of a front: the results of the last query, and the variables of the running one.
 //
-// The update rules in src/distances are functions of this struct.  Between two queries only the
+// The update rules in src/distances are functions of this struct. Between two queries only the
 // vertices in `reached` differ from their defaults.
 struct Front_state
 {
-  // Returns true if vertices store the direction to their source.  With speeds, a Euclidean front
+  // Returns true if vertices store the direction to their source. With speeds, a Euclidean front
   // is a planar one.
   bool has_directions() const { return kind == Front_kind::euclidean && !slowness; }
   // Returns whether a vertex is one of the surface, not an inserted midpoint of an edge.
@@ -68,9 +68,9 @@ struct Front_state
 
   // Of the vertices of the surface and of those inserted by the intrinsic triangulation.
   std::vector<Front_vertex> vertices; // #vertices
-  // #vertices, Euclidean fronts only: the unit vector to the source.  On a mesh it is in the plane
+  // #vertices, Euclidean fronts only: the unit vector to the source. On a mesh it is in the plane
   // of the triangle of the vertex's `corner`; the first axis is the halfedge that leaves this
-  // corner.  On a cloud it is in the tangent frame of the surfel.
+  // corner. On a cloud it is in the tangent frame of the surfel.
   std::vector<Vec2> directions;
   std::vector<Index> sources;           // #vertices: position among the sources, or none
   std::vector<Index> reached;           // vertices of the surface, nearly in the order of distance
@@ -81,7 +81,7 @@ struct Front_state
   std::vector<Index> corrected_vertices;
 
   // Query
-  // What the front propagates on: the surface, or its intrinsic triangulation.  All corners and
+  // What the front propagates on: the surface, or its intrinsic triangulation. All corners and
   // halfedges of the results refer to these triangles.
   std::shared_ptr<const Surface_arrays> triangles;
   std::shared_ptr<const Vertex_fans> fans; // null for dijkstra, and for clouds if euclidean
@@ -93,10 +93,10 @@ struct Front_state
   double max_distance = infinity;
   bool has_single_source = false;
   // Euclidean fronts only: the scaled coordinates of the only source, if it is a point on a mesh
-  // with coordinates.  Then no distance is shorter than the straight line to it.
+  // with coordinates. Then no distance is shorter than the straight line to it.
   std::optional<Vec3> point_source;
   const std::vector<double>* known_distance = nullptr; // #vertices; see Front_limits
-  // Whether the current vertex improves its known distance.  Otherwise it relaxes only vertices
+  // Whether the current vertex improves its known distance. Otherwise it relaxes only vertices
   // whose known distance it improves.
   bool improves_known_distance = true;
 };

@@ -15,8 +15,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Finds paths between pairs of locations without computing a distance field.
 //
-// The path of a Path_finder is shortened to a locally shortest path.  On a mesh, its length bounds
-// a search by exact windows (Window_propagation::path_between()).  Copies share the triangles;
+// The path of a Path_finder is shortened to a locally shortest path. On a mesh, its length bounds
+// a search by exact windows (Window_propagation::path_between()). Copies share the triangles;
 // different copies can be used concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Shortest_path_finder
 {
@@ -26,14 +26,14 @@ public:
   // As Path_finder::add_landmarks().
   void add_landmarks(unsigned number_of_landmarks) { m_finder.add_landmarks(number_of_landmarks); }
 
-  // Returns a locally shortest path; no locations if there is none.  `lower` is the straight
+  // Returns a locally shortest path; no locations if there is none. `lower` is the straight
   // distance.
   Bounded_path locally_shortest_path(const Surface_location& from, const Surface_location& to);
-  // Shortens a polyline to a locally shortest path with the same ends.  Paths of the search join
-  // consecutive locations; no locations if there is none.  Throws Invalid_argument_error if there
+  // Shortens a polyline to a locally shortest path with the same ends. Paths of the search join
+  // consecutive locations; no locations if there is none. Throws Invalid_argument_error if there
   // are fewer than two locations.
   Bounded_path shorten(const std::vector<Surface_location>& polyline);
-  // Returns a shortest path; no locations if there is none.  On a cloud, returns a locally shortest
+  // Returns a shortest path; no locations if there is none. On a cloud, returns a locally shortest
   // path.
   Bounded_path shortest_path(const Surface_location& from, const Surface_location& to);
 

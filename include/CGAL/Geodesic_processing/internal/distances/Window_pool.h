@@ -19,7 +19,7 @@ namespace CGAL::Geodesic_processing::internal {
 // A window that replaces similar ones is approximate: distance() is at most the length of the paths
 // through it, and error() bounds the difference.
 //
-// Coordinates: the halfedge begins at the origin and runs along the first axis.  The triangle that
+// Coordinates: the halfedge begins at the origin and runs along the first axis. The triangle that
 // the window crosses next is above the halfedge, the source below it.
 struct Window
 {
@@ -45,7 +45,7 @@ struct Window
   }
 };
 
-// An array of windows in a Window_pool.  There are twelve times as many as vertices: a list of eight
+// An array of windows in a Window_pool. There are twelve times as many as vertices: a list of eight
 // bytes instead of twelve saves a fifth of the memory before a query.
 struct Window_list
 {
@@ -55,9 +55,9 @@ struct Window_list
   Index size : 27, capacity_log2 : 5;
 };
 
-// Memory for arrays of windows, whose capacities are powers of two.  Released arrays are reused;
-// allocation takes O(1) amortized time.  The memory grows by blocks that are never copied: growth by
-// doubling would need almost twice the memory.  Pointers are valid as long as the pool.
+// Memory for arrays of windows, whose capacities are powers of two. Released arrays are reused;
+// allocation takes O(1) amortized time. The memory grows by blocks that are never copied: growth by
+// doubling would need almost twice the memory. Pointers are valid as long as the pool.
 class Window_pool
 {
 public:
@@ -66,7 +66,7 @@ public:
     return m_blocks[list.position / block_size].data() + list.position % block_size;
   }
 
-  // Returns an array for this number of windows.  Its size is 1, which marks it as used.
+  // Returns an array for this number of windows. Its size is 1, which marks it as used.
   Window_list allocate(std::size_t size)
   {
     Window_list result;
@@ -107,7 +107,7 @@ public:
 private:
   static constexpr std::size_t block_size = 1024;
 
-  // Returns the position of new windows.  More than block_size windows have a larger block, which is
+  // Returns the position of new windows. More than block_size windows have a larger block, which is
   // followed by empty ones, so that positions remain multiples of block_size.
   Index append(std::size_t number)
   {

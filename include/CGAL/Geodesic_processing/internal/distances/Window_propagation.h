@@ -22,8 +22,8 @@ struct Departure
 {
   Surface_location from, next; // a point of the source, and the end of the path's first segment
   double angle = 0.;           // in the plane of the triangle of `from`, as for trace_straightest()
-  // Counterclockwise.  At a vertex: from the halfedge that leaves the first corner of its one-ring.
-  // On an edge: from the halfedge with the smaller index.  Otherwise equal to `angle`.
+  // Counterclockwise. At a vertex: from the halfedge that leaves the first corner of its one-ring.
+  // On an edge: from the halfedge with the smaller index. Otherwise equal to `angle`.
   double polar_angle = 0.;
   double length = infinity; // without the offset of the source; infinite if there is no path
 };
@@ -44,27 +44,27 @@ struct Bounded_path
 // Computes exact geodesic distances on a mesh by window propagation (Mitchell, Mount and
 // Papadimitriou 1987).
 //
-// All windows that wait at a halfedge cross its triangle together (Qin et al. 2016).  Halfedges are
-// ordered by the smaller distance of their ends.  A window is dropped if no shortest path can use
-// it.  This is the case if a detour through an end of its edge is shorter (Xin and Wang 2009), if
-// another window is closer everywhere, or if its lines cross the shortest one to the apex.  Saddle,
+// All windows that wait at a halfedge cross its triangle together (Qin et al. 2016). Halfedges are
+// ordered by the smaller distance of their ends. A window is dropped if no shortest path can use
+// it. This is the case if a detour through an end of its edge is shorter (Xin and Wang 2009), if
+// another window is closer everywhere, or if its lines cross the shortest one to the apex. Saddle,
 // boundary and non-manifold vertices are pseudo-sources for the region that no straight line
 // through them reaches.
 //
-// Windows with the same unfolded source are merged again.  Therefore flat regions cost as much as a
-// front, curved ones O(n^1.5) time in practice.  Windows are discarded after they have crossed.
+// Windows with the same unfolded source are merged again. Therefore flat regions cost as much as a
+// front, curved ones O(n^1.5) time in practice. Windows are discarded after they have crossed.
 // A query beyond Window_propagator::usual_max_work() throws Unsupported_surface_error; then no vertex
-// is reached.  The time of a query depends only on the visited triangles.  Copies share the triangles
+// is reached. The time of a query depends only on the visited triangles. Copies share the triangles
 // and may run concurrently.
 //
-// Degenerate triangles get slightly longer edges first (without_degenerate_triangles()).  Bounds,
+// Degenerate triangles get slightly longer edges first (without_degenerate_triangles()). Bounds,
 // also those of paths, contain the errors of thin triangles (distance_error_of_thin_triangles()).
 //
-// With a relative tolerance, similar windows are merged (approximate_windows.h).  Lower and upper
+// With a relative tolerance, similar windows are merged (approximate_windows.h). Lower and upper
 // bounds of the distances then differ by at most this fraction of the lower bound, and distance() is
-// their mean.  There are fewer windows: on smooth surfaces about one per edge.
+// their mean. There are fewer windows: on smooth surfaces about one per edge.
 //
-// Triangles of infinite slowness are obstacles.  They are removed from a copy of the arrays, and
+// Triangles of infinite slowness are obstacles. They are removed from a copy of the arrays, and
 // the distances on this copy are exact.
 class CGAL_GEODESIC_PROCESSING_EXPORT Window_propagation
 {
@@ -75,7 +75,7 @@ public:
   // Throws Unsupported_surface_error if the slowness differs outside of obstacles.
   static void check_speeds(const Front_limits& limits);
 
-  // As Front::run(); known_distance is ignored.  Throws as check_speeds(), and
+  // As Front::run(); known_distance is ignored. Throws as check_speeds(), and
   // Unsupported_surface_error if the query exceeds Window_propagator::usual_max_work().
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
@@ -85,7 +85,7 @@ public:
     const double result = scaled(m_state.vertices[vertex].distance);
     return m_state.is_exact() ? result : 0.5 * (result + scaled(m_state.upper_bound(vertex)));
   }
-  // Certified bounds of the distance, up to round-off errors.  Without a relative tolerance and
+  // Certified bounds of the distance, up to round-off errors. Without a relative tolerance and
   // thin triangles they are equal.
   double lower(Index vertex) const
   {
@@ -97,32 +97,32 @@ public:
   const std::vector<Index>& reached() const { return m_state.reached; }
   // Returns the distance at a location.
   double distance(const Surface_location& location) const;
-  // Returns bounds of the distance at a location.  Inside a face or edge, windows are propagated back
+  // Returns bounds of the distance at a location. Inside a face or edge, windows are propagated back
   // from the location until they meet a source, or a vertex on a shortest path.
   Distance_bounds bounds(const Surface_location& location) const;
-  // Returns the distances at many locations.  Without a relative tolerance, takes as long as the
+  // Returns the distances at many locations. Without a relative tolerance, takes as long as the
   // query, and less than as many calls of distance() if there are hundreds of locations.
   std::vector<double> distances(const std::vector<Surface_location>& locations) const;
   // Returns the shortest path from a location to the nearest source, shortened by
-  // shorten_geodesic().  It has no locations if no source reaches the location, or if round-off
-  // errors in degenerate triangles prevent the reconstruction.  With a relative tolerance, it is a
+  // shorten_geodesic(). It has no locations if no source reaches the location, or if round-off
+  // errors in degenerate triangles prevent the reconstruction. With a relative tolerance, it is a
   // locally shortest path.
   Bounded_path path(const Surface_location& from) const;
   // Returns a shortest path between two locations if it is shorter than `max_length`, otherwise no
-  // locations.  `lower` is the length of the shortest path, at most `max_length`, minus round-off
-  // errors.  Only windows in the ellipse of this length around both locations are propagated.
+  // locations. `lower` is the length of the shortest path, at most `max_length`, minus round-off
+  // errors. Only windows in the ellipse of this length around both locations are propagated.
   // Replaces the results of the last query, which has no obstacles.
   Bounded_path path_between(const Surface_location& from, const Surface_location& to,
                             double max_length);
   // Returns all locally shortest paths to the sources whose length exceeds the distance by at most
-  // this fraction of it; at most 64 paths.  That fraction must be far shorter than an edge.  Throws
+  // this fraction of it; at most 64 paths. That fraction must be far shorter than an edge. Throws
   // Unsupported_surface_error, as departure(), if the query had a relative tolerance.
   std::vector<std::vector<Surface_location>> paths(const Surface_location& from,
                                                    double tolerance) const;
   // Returns the first segment, at the source, of the shortest path to a location.
   Departure departure(const Surface_location& to) const;
   // Returns departure().polar_angle for a vertex, more than ten times as fast: only the straight
-  // line incident to the source is followed.  Zero if the vertex is on a source.
+  // line incident to the source is followed. Zero if the vertex is on a source.
   double polar_angle_of_departure(Index vertex) const;
 
 private:
@@ -145,7 +145,7 @@ private:
     std::shared_ptr<Reverse_window_search> search;
   };
 
-  // Returns bounds of the distance on the triangles with longer edges.  Not scaled.
+  // Returns bounds of the distance on the triangles with longer edges. Not scaled.
   Distance_bounds unscaled_bounds(const Surface_location& location) const;
   void require_exact() const;
   Bounded_path path_along_edges(const Surface_location& from) const;

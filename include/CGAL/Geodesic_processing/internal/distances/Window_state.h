@@ -101,7 +101,7 @@ struct CGAL_GEODESIC_PROCESSING_EXPORT Window_state
   std::vector<Index> reached;
   Vertex_queue queue; // halfedges, and #halfedges + vertex
 
-  // 2 #halfedges: the windows that wait to cross each one.  List 0 arrived through the halfedge of
+  // 2 #halfedges: the windows that wait to cross each one. List 0 arrived through the halfedge of
   // the adjacent triangle that shares its begin, list 1 through the one that shares its end.
   std::vector<Window_list> waiting;
   Window_pool pool;

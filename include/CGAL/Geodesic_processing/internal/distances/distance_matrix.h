@@ -13,8 +13,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns the distances from each source, one query each, to each location, times `scale`.  The
-// matrix is #from x #to; unreachable pairs are infinite.  Returns an empty matrix if the callback
+// Returns the distances from each source, one query each, to each location, times `scale`. The
+// matrix is #from x #to; unreachable pairs are infinite. Returns an empty matrix if the callback
 // of the limits cancelled it.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::MatrixXd distance_matrix(const Row_engine& engine, double scale,
@@ -22,9 +22,9 @@ Eigen::MatrixXd distance_matrix(const Row_engine& engine, double scale,
                                 const std::vector<Surface_location>& to, const Front_limits& limits,
                                 unsigned number_of_threads);
 
-// Returns the distances between the sources that are within the limits, times `scale`.  The matrix
-// is #from x #from.  column: #vertices; the position of a vertex among the sources, or none.
-// Throws Invalid_argument_error if there are more than 2^31 - 1 entries.  Returns an empty matrix
+// Returns the distances between the sources that are within the limits, times `scale`. The matrix
+// is #from x #from. column: #vertices; the position of a vertex among the sources, or none.
+// Throws Invalid_argument_error if there are more than 2^31 - 1 entries. Returns an empty matrix
 // if cancelled.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::SparseMatrix<double, Eigen::RowMajor>

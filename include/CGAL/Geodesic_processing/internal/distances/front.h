@@ -23,8 +23,8 @@ struct Front_limits
   std::vector<Surface_location> targets; // the query may stop when all of them are final
   // #triangles: 1 / speed, infinite for an obstacle; null if it is 1 everywhere.
   std::shared_ptr<const std::vector<double>> slowness;
-  // #vertices: distances known from previous queries, or null.  The front propagates only from
-  // vertices whose known distance it improves, and reaches one ring of vertices beyond them.  This
+  // #vertices: distances known from previous queries, or null. The front propagates only from
+  // vertices whose known distance it improves, and reaches one ring of vertices beyond them. This
   // is because a triangle in which two fronts meet needs the new distance at all of its corners.
   // Without that ring the mean error of the combined distances is 20 to 2,000 times larger on scans
   // and mechanical parts.
@@ -41,13 +41,13 @@ struct Front_limits
 class CGAL_GEODESIC_PROCESSING_EXPORT Front
 {
 public:
-  // A Euclidean front on a mesh can propagate on a triangulation with bisected long edges.  It is
+  // A Euclidean front on a mesh can propagate on a triangulation with bisected long edges. It is
   // then more accurate, takes longer, and does not support known distances.
   Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind,
         Bisected_edges bisected = Bisected_edges::none);
 
-  // Propagates the front from the sources.  Returns false if the callback cancelled it; then only
-  // vertices that were final are reached.  The distances do not depend on the order of the sources.
+  // Propagates the front from the sources. Returns false if the callback cancelled it; then only
+  // vertices that were final are reached. The distances do not depend on the order of the sources.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
   // Returns the distance of the last query, in the unit of the arrays (Surface_arrays::scale);

@@ -14,9 +14,9 @@ namespace CGAL::Geodesic_processing::internal {
 // Computes distances by the heat method (Crane, Weischedel and Wardetzky 2013), on the intrinsic
 // Delaunay triangulation of a mesh or on the weighted triangles of a cloud.
 //
-// The time step is the square of the mean edge length.  It is increased if a component may be wider
-// than 600 square roots of it, because heat that underflows has no gradient.  The heat of a source
-// with an offset is reduced by the decay over that distance.  The distances of a connected
+// The time step is the square of the mean edge length. It is increased if a component may be wider
+// than 600 square roots of it, because heat that underflows has no gradient. The heat of a source
+// with an offset is reduced by the decay over that distance. The distances of a connected
 // component are shifted such that their mean over the sources equals the mean offset.
 class CGAL_GEODESIC_PROCESSING_EXPORT Heat_solver
 {
@@ -27,12 +27,12 @@ public:
   // Throws Unsupported_surface_error if the limits have a slowness.
   static void check_speeds(const Front_limits& limits);
 
-  // As Front::run().  Solves two linear systems by their factorizations.  Sources, predecessors and
-  // the reached vertices are those of Dijkstra's algorithm.  Targets and known distances are
-  // ignored.  Throws as check_speeds().
+  // As Front::run(). Solves two linear systems by their factorizations. Sources, predecessors and
+  // the reached vertices are those of Dijkstra's algorithm. Targets and known distances are
+  // ignored. Throws as check_speeds().
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
-  // Returns the distance of a vertex, or interpolates linearly in a triangle.  Infinite if not
+  // Returns the distance of a vertex, or interpolates linearly in a triangle. Infinite if not
   // reached.
   double distance(Index vertex) const { return m_distance[vertex]; }
   double distance(const Surface_location& location) const;

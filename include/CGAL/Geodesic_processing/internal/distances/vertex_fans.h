@@ -34,9 +34,9 @@ struct Vertex_fans
     double length;
     Vec2 opening; // (cos, sin) of the triangle's angle at the center vertex
   };
-  // One half of a split obtuse corner (Kimmel and Sethian 1998, section 3).  The triangles behind
+  // One half of a split obtuse corner (Kimmel and Sethian 1998, section 3). The triangles behind
   // the opposite edge are unfolded into the plane of the triangle until a vertex splits the obtuse
-  // angle into two acute ones.  Each half is a virtual triangle that contains the corner.  It is
+  // angle into two acute ones. Each half is a virtual triangle that contains the corner. It is
   // stored at both ends of its base.
   struct Split
   {
@@ -60,13 +60,13 @@ struct Vertex_fans
   std::vector<Split> splits;
 };
 
-// Computes the fans of all vertices in O(#triangles) time.  If `with_splits`, obtuse corners of
+// Computes the fans of all vertices in O(#triangles) time. If `with_splits`, obtuse corners of
 // meshes are split; at most 20 triangles are unfolded for each corner.
 CGAL_GEODESIC_PROCESSING_EXPORT Vertex_fans build_vertex_fans(const Surface_arrays& triangles,
                                                               bool with_splits);
 
-// Returns build_vertex_fans(), computed once as long as any user holds the result.  The triangles
-// must not change afterwards.  Thread-safe.
+// Returns build_vertex_fans(), computed once as long as any user holds the result. The triangles
+// must not change afterwards. Thread-safe.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const Vertex_fans> shared_vertex_fans(const Surface_arrays& triangles,
                                                       bool with_splits);

@@ -27,7 +27,7 @@ struct Log_map_options
 // Receives a vertex and its tangent vector.
 using Log_visitor = std::function<void(Index, const Vec2&)>;
 
-// Computes the logarithmic map from gradients of squared distances (see Log_map_fit).  The engine of
+// Computes the logarithmic map from gradients of squared distances (see Log_map_fit). The engine of
 // the method runs once from the base point and once from each location of a stencil around it.
 class CGAL_GEODESIC_PROCESSING_EXPORT Gradient_engine
 {

@@ -27,7 +27,7 @@ struct Triangle_image
 struct Decal_triangles
 {
   std::vector<Triangle_image> covered; // triangles with images of all corners
-  // The longest edge of intersecting triangles that lack an image of a corner.  Zero if there are
+  // The longest edge of intersecting triangles that lack an image of a corner. Zero if there are
   // no such triangles: then `covered` covers the whole rectangle.
   double longest_edge = 0.;
 };
@@ -36,11 +36,11 @@ struct Decal_triangles
 // centered at the origin.
 //
 // A triangle that is cut (see is_cut()) gets the image that is similar to the triangle and attached
-// to its longest edge that is not cut.  So the image extends across a cut locus without holes.  A
+// to its longest edge that is not cut. So the image extends across a cut locus without holes. A
 // triangle whose edges are all cut is omitted.
 //
 // A triangle without images of all corners is detected if the image of a corner or an edge
-// intersects the rectangle.  If there are such triangles, at least one is detected: the rectangle
+// intersects the rectangle. If there are such triangles, at least one is detected: the rectangle
 // is connected, and all triangles at the base point must have images.
 //
 // reached      the vertices that have an image
@@ -61,7 +61,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Rgba blend_over(const Rgba& front, const Rgba& back);
 
 // The layout of triangles in a texture: a grid of square cells with two right triangles each, whose
-// corners are at texel centers.  All texels that bilinear interpolation reads inside a triangle
+// corners are at texel centers. All texels that bilinear interpolation reads inside a triangle
 // belong to that triangle.
 class CGAL_GEODESIC_PROCESSING_EXPORT Texture_cells
 {
@@ -76,12 +76,12 @@ public:
   std::size_t width() const { return m_columns * cell_size(); }
   std::size_t height() const { return m_rows * cell_size(); }
 
-  // Returns the texture coordinates of a triangle's corners, in [0, 1] x [0, 1].  The lower left
+  // Returns the texture coordinates of a triangle's corners, in [0, 1] x [0, 1]. The lower left
   // corner of the texture is (0, 0).
   std::array<Vec2, 3> corners(std::size_t triangle) const;
 
   // Calls f(texel, barycentric coordinates of its center) for all texels that belong to a triangle.
-  // Some of them are outside the triangle and have negative coordinates.  Texels are numbered by
+  // Some of them are outside the triangle and have negative coordinates. Texels are numbered by
   // rows, from the lowest row up.
   template <typename Function>
   void for_each_texel(std::size_t triangle, Function f) const

@@ -20,15 +20,15 @@ struct Stencil
 };
 
 // Returns the endpoints of straightest paths of equal length in evenly spaced directions, on a
-// mesh.  Their tangent vectors are exact up to round-off errors.  A path that reaches the boundary
-// after less than 30 % of the length is omitted.  If the remaining vectors are almost parallel, the
+// mesh. Their tangent vectors are exact up to round-off errors. A path that reaches the boundary
+// after less than 30 % of the length is omitted. If the remaining vectors are almost parallel, the
 // length is halved.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Stencil straightest_stencil(const Tangent_plane& plane, double length, std::size_t count);
 
-// Returns a stencil of vertices.  In each of `count` sectors of the tangent plane, it contains the
-// farthest vertex within a distance.  The tangent vector has the direction of the projected offset
-// and the length of the distance.  If the vectors are almost parallel, the length is doubled.
+// Returns a stencil of vertices. In each of `count` sectors of the tangent plane, it contains the
+// farthest vertex within a distance. The tangent vector has the direction of the projected offset
+// and the length of the distance. If the vectors are almost parallel, the length is doubled.
 //
 // vertices   the candidates
 // distances  #vertices: distances from the base point
@@ -51,14 +51,14 @@ double mean_normal_angle(const Surface_arrays& triangles, const Surface_location
 //
 // For a base point p and stencil locations with tangent vectors q_j,
 //   d^2(q_j, x) - d^2(p, x) - |q_j|^2 = -2 <log x, q_j>
-// up to terms of higher order in q_j.  In a symmetric stencil, the terms of odd order cancel.  The
+// up to terms of higher order in q_j. In a symmetric stencil, the terms of odd order cancel. The
 // direction of log x is the least-squares solution.
 class CGAL_GEODESIC_PROCESSING_EXPORT Log_map_fit
 {
 public:
   explicit Log_map_fit(std::vector<Vec2> stencil);
 
-  // Returns the tangent vector of a point x.  Its length is the distance.
+  // Returns the tangent vector of a point x. Its length is the distance.
   //
   // distance           d(p, x)
   // stencil_distances  #stencil: d(q_j, x); infinite ones are ignored
@@ -74,7 +74,7 @@ private:
 // adds for a step from a vertex.
 //
 // The step is projected to the tangent plane of the vertex and rotated to the plane of the base
-// point by the smallest rotation between both normals.  The result has the length of the step.
+// point by the smallest rotation between both normals. The result has the length of the step.
 //
 // normal  unit normal of the vertex
 // step    in space, in the scale of the surface arrays
@@ -89,8 +89,8 @@ struct Log_map_defects
 };
 
 // Returns whether a map is discontinuous along an edge: the images of its endpoints are farther
-// apart than four times its length.  On a sphere, the logarithmic map stretches by this factor at a
-// distance of 2.47 radii.  At a cut locus, discontinuities are as large as the distance from the
+// apart than four times its length. On a sphere, the logarithmic map stretches by this factor at a
+// distance of 2.47 radii. At a cut locus, discontinuities are as large as the distance from the
 // base point.
 inline bool is_cut(const Surface_arrays& triangles, Index h, const Vec2& p, const Vec2& q)
 {

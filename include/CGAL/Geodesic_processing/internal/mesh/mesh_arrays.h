@@ -26,8 +26,8 @@ struct Mesh_arrays
 };
 
 // Builds the arrays of a mesh with given twins, for example from a halfedge data structure.
-// Vertices are in Morton order, triangles in the order of their smallest vertex.  Lengths are
-// computed from scaled coordinates.  An edge shorter than `min_edge_length` gets that length, so
+// Vertices are in Morton order, triangles in the order of their smallest vertex. Lengths are
+// computed from scaled coordinates. An edge shorter than `min_edge_length` gets that length, so
 // that vertices at the same point act as one.
 //
 // points: #vertices
@@ -35,29 +35,29 @@ struct Mesh_arrays
 // twins: 3 #faces, the opposite halfedge or none
 //
 // Throws Invalid_argument_error if a coordinate is not finite or if the distance of two points
-// overflows.  Throws Unsupported_surface_error if most edges of positive length are shorter than
-// `min_edge_length`.  O(n) time; about 150 bytes per vertex.
+// overflows. Throws Unsupported_surface_error if most edges of positive length are shorter than
+// `min_edge_length`. O(n) time; about 150 bytes per vertex.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
                               const std::vector<Index>& corners, const std::vector<Index>& twins);
 
-// Computes the twins of a triangle soup.  Two halfedges are twins if they join the same two
-// vertices in opposite directions and no third halfedge joins these vertices.  All other halfedges
+// Computes the twins of a triangle soup. Two halfedges are twins if they join the same two
+// vertices in opposite directions and no third halfedge joins these vertices. All other halfedges
 // are boundary halfedges.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> twins_of_soup(std::size_t number_of_points, const std::vector<Index>& corners);
 
-// Fills `ring_begin` and `ring` from `corner` and `twin`.  The fan of a boundary vertex begins at
+// Fills `ring_begin` and `ring` from `corner` and `twin`. The fan of a boundary vertex begins at
 // the boundary, that of any other vertex at its first triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void build_rings(Surface_arrays& arrays, std::size_t number_of_vertices);
 
 // Computes the connected components of the vertices, joined by edges of triangles and of the
-// proximity graph.  Returns the component of each vertex and the number of components.
+// proximity graph. Returns the component of each vertex and the number of components.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::pair<std::vector<Index>, std::size_t> components(const Surface_arrays& arrays);
 
-// Computes the same, joined by edges of triangles only.  On a cloud these components can still be
+// Computes the same, joined by edges of triangles only. On a cloud these components can still be
 // joined by edges of the proximity graph.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::pair<std::vector<Index>, std::size_t> triangle_components(const Surface_arrays& arrays);

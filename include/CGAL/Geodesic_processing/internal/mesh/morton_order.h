@@ -21,7 +21,7 @@ struct Frame
 };
 
 // Computes the frame in which the bounding box is centered at the origin and half of its longest
-// edge is in [1, 2).  In it, squares of coordinates neither overflow nor underflow.  Throws
+// edge is in [1, 2). In it, squares of coordinates neither overflow nor underflow. Throws
 // Invalid_argument_error if a coordinate is not finite or if the extent of all points overflows.
 //
 // used  indices of the points in the bounding box; if empty, all points are
@@ -54,7 +54,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame);
 
 // Returns the indices of the points in Morton order; points in the same cell are in the order of
-// their indices.  Coordinates must be in [-2, 2].  O(n) by radix sort.
+// their indices. Coordinates must be in [-2, 2]. O(n) by radix sort.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points);
 

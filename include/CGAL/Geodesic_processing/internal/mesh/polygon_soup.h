@@ -24,7 +24,7 @@ struct Polygon_soup
 
 struct Soup_options
 {
-  // Points within this distance, which is at least zero, are merged.  If empty, none is.
+  // Points within this distance, which is at least zero, are merged. If empty, none is.
   std::optional<double> merge_tolerance;
   bool do_remove_degenerate_faces = false;
 };
@@ -45,7 +45,7 @@ struct Repaired_soup
 // splits the surface at edges that have three or more triangles or no consistent orientation.
 //
 // Throws Invalid_argument_error if a corner is not the index of a point, if a coordinate is not
-// finite or if the tolerance is negative.  Throws Unsupported_surface_error if a polygon has more
+// finite or if the tolerance is negative. Throws Unsupported_surface_error if a polygon has more
 // than 10,000 corners, or if there are more than 2^31 halfedges.
 // O(n) for n triangles; O(k^2) for a polygon of k corners.
 CGAL_GEODESIC_PROCESSING_EXPORT

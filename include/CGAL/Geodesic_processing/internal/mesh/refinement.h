@@ -17,17 +17,17 @@ struct Refinement
   std::shared_ptr<const Surface_arrays> coarse, triangles;
 
   // #triangles: the coarse triangle that contains each triangle, and the barycentric coordinates of
-  // its corners there.  Empty if nothing was changed.
+  // its corners there. Empty if nothing was changed.
   std::vector<Index> parent;
   std::vector<std::array<std::array<double, 3>, 3>> corners;
 };
 
-// Makes a refinement without split edges.  A nonmanifold vertex is replaced by one vertex per fan
+// Makes a refinement without split edges. A nonmanifold vertex is replaced by one vertex per fan
 // of triangles.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Refinement make_refinement(std::shared_ptr<const Surface_arrays> triangles);
 
-// Splits edges at their midpoints, which divides a triangle into two to four.  O(n).
+// Splits edges at their midpoints, which divides a triangle into two to four. O(n).
 // is_split: #halfedges of refinement.triangles, the same for twins
 CGAL_GEODESIC_PROCESSING_EXPORT
 Refinement split_edges(const Refinement& refinement, const std::vector<bool>& is_split);

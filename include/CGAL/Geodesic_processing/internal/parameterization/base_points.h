@@ -38,14 +38,14 @@ inline constexpr std::size_t default_number_of_base_points = 200;
 inline constexpr std::size_t max_number_of_base_points = 1000;
 
 // Computes a number of base points for which their mean spacing is below the mean width of a mesh
-// with boundary.  At least `default_number_of_base_points` and at most `max_number_of_base_points`.
+// with boundary. At least `default_number_of_base_points` and at most `max_number_of_base_points`.
 // For a cloud, returns the default.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t suitable_number_of_base_points(const Surface_arrays& triangles);
 
-// Computes the nearest base points of each vertex.  From each sample a front runs while the sample
-// is among the nearest ones of the vertices.  All fronts together visit little more than
-// number_of_nearest * #vertices vertices.  If two fronts meet, the distance of their sources is the
+// Computes the nearest base points of each vertex. From each sample a front runs while the sample
+// is among the nearest ones of the vertices. All fronts together visit little more than
+// number_of_nearest * #vertices vertices. If two fronts meet, the distance of their sources is the
 // length of a straight line in the triangles there.
 //
 // Returns an empty result if the callback cancelled.

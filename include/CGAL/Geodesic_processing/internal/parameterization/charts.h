@@ -21,7 +21,7 @@ struct Chart
   std::vector<Vec2> image;      // #vertices of `surface`; empty if not computed yet
 };
 
-// Cuts out the nonempty patches.  O(n log n).
+// Cuts out the nonempty patches. O(n log n).
 // \pre Each patch is a disk.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Chart> extract_charts(const Surface_arrays& triangles, const std::vector<Index>& patch,
@@ -31,11 +31,11 @@ std::vector<Chart> extract_charts(const Surface_arrays& triangles, const std::ve
 CGAL_GEODESIC_PROCESSING_EXPORT
 Outline outline(const Chart& chart, std::vector<Index>* halfedges = nullptr);
 
-// Returns the number of triangles whose image is not counterclockwise.  Exact.
+// Returns the number of triangles whose image is not counterclockwise. Exact.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t number_of_flips(const Chart& chart);
 
-// Returns whether the map is injective.  Exact: if all images are counterclockwise and the boundary
+// Returns whether the map is injective. Exact: if all images are counterclockwise and the boundary
 // is mapped to a simple polygon, each point inside is covered as often as the boundary winds around
 // it, which is once.
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -50,13 +50,13 @@ struct Chart_options
   std::function<bool(double)> callback; // gets the fraction done; cancels by returning false
 };
 
-// Flattens patches, which must be disks.  Each gets an initial map by geodesic locally linear
-// embedding or Tutte's method; then the symmetric Dirichlet energy is minimized.  If the result is
+// Flattens patches, which must be disks. Each gets an initial map by geodesic locally linear
+// embedding or Tutte's method; then the symmetric Dirichlet energy is minimized. If the result is
 // not injective, the patch is split in two, if possible between two triangles whose boundary edges
-// intersect, and both are flattened in turn.  So each chart is injective, and there can be more
+// intersect, and both are flattened in turn. So each chart is injective, and there can be more
 // charts than patches.
 //
-// Returns no charts if the callback cancelled.  The result does not depend on the number of
+// Returns no charts if the callback cancelled. The result does not depend on the number of
 // threads.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Chart> injective_charts(const Surface_arrays& triangles,

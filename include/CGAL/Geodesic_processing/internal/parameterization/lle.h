@@ -17,8 +17,8 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Returns the number of nearest base points of each vertex that is required for a number of
-// neighbors.  Distances between neighbors are measured where their fronts meet, sometimes farther
-// away, so a quarter more is required.  With half as many more, maps take a seventh longer and
+// neighbors. Distances between neighbors are measured where their fronts meet, sometimes farther
+// away, so a quarter more is required. With half as many more, maps take a seventh longer and
 // differ only near inverted faces.
 constexpr std::size_t number_of_nearest_for(std::size_t neighbors)
 {
@@ -26,13 +26,13 @@ constexpr std::size_t number_of_nearest_for(std::size_t neighbors)
 }
 
 // Computes an embedding in the plane from squared distances: the two largest eigenvectors of the
-// centered Gram matrix, scaled by the square roots of their eigenvalues.  Size n x 2.
+// centered Gram matrix, scaled by the square roots of their eigenvalues. Size n x 2.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::MatrixXd classical_scaling(const Eigen::MatrixXd& squares);
 
-// Embeds base points in the plane.  There are two initial embeddings: locally linear embedding with
-// a linear map fitted to the distances of neighbors, and Isomap.  Both are optimized to be as rigid
-// as possible, and the one of lower energy is returned.  Both energies are zero for a developable
+// Embeds base points in the plane. There are two initial embeddings: locally linear embedding with
+// a linear map fitted to the distances of neighbors, and Isomap. Both are optimized to be as rigid
+// as possible, and the one of lower energy is returned. Both energies are zero for a developable
 // surface.
 //
 // If the graph of neighbors is not connected, more neighbors are used, up to `number_of_nearest`.
@@ -48,7 +48,7 @@ struct Embedded_base_points
   std::vector<Vec2> positions; // empty if the graph of neighbors is not connected
 };
 
-// Computes the nearest base points of each vertex and embeds them.  If `can_grow` is true and the
+// Computes the nearest base points of each vertex and embeds them. If `can_grow` is true and the
 // graph of neighbors is not connected, the number of neighbors is increased to the smallest one for
 // which it is, plus `neighbors`.
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -56,8 +56,8 @@ Embedded_base_points embed_samples(const Surface_arrays& triangles, const Sampli
                                    const Front& front, std::size_t neighbors, bool can_grow,
                                    const std::function<bool(double)>& callback = {});
 
-// Extends an embedding of the base points to all vertices.  The map is continuous, interpolates the
-// images of the base points, and is linear if the surface is a piece of the plane.  Vertices
+// Extends an embedding of the base points to all vertices. The map is continuous, interpolates the
+// images of the base points, and is linear if the surface is a piece of the plane. Vertices
 // without base points get NaN.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec2> extend_embedding(const Base_points& base, const std::vector<Vec2>& images,

@@ -12,8 +12,8 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Computes multidimensional scaling of the distances between base points (Zigelman, Kimmel and
-// Kiryati 2002).  All other vertices are embedded by their squared distances to the base points
-// (landmark MDS, de Silva and Tenenbaum 2004).  The front runs twice from each base point: for the
+// Kiryati 2002). All other vertices are embedded by their squared distances to the base points
+// (landmark MDS, de Silva and Tenenbaum 2004). The front runs twice from each base point: for the
 // distances between base points, and to add its contribution to all vertices.
 //
 // Returns an empty vector if the callback cancelled.

@@ -40,11 +40,11 @@ struct Minimization_result
 };
 
 // Minimizes the symmetric Dirichlet energy of a map without inverted triangles (Smith and Schaefer
-// 2015).  It is the mean, weighted by area, of the sum of the squared singular values and their
+// 2015). It is the mean, weighted by area, of the sum of the squared singular values and their
 // inverses.
 //
 // Newton's method; the Hessian of each triangle is projected to a positive semidefinite matrix in
-// closed form (Smith, de Goes and Kim 2019).  No step reaches the first inversion of a triangle.
+// closed form (Smith, de Goes and Kim 2019). No step reaches the first inversion of a triangle.
 // The iteration ends if a step decreases the energy by less than the fraction `energy_tolerance`.
 //
 // is_fixed: #vertices, or empty: vertices that must not move
@@ -55,7 +55,7 @@ Minimization_result minimize_symmetric_dirichlet(const Surface_arrays& triangles
                                                  double energy_tolerance = 1e-6,
                                                  const std::vector<bool>& is_fixed = {});
 
-// Moves vertices that are not fixed until no triangle is inverted.  Returns whether this succeeded.
+// Moves vertices that are not fixed until no triangle is inverted. Returns whether this succeeded.
 // The same Newton steps minimize a regularized energy, in which the inverse determinant is finite
 // for inverted triangles (Garanzha et al. 2021).
 CGAL_GEODESIC_PROCESSING_EXPORT

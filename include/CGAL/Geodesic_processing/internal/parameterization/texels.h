@@ -13,7 +13,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The triangles at the centers of the texels.  Rows are in the order of increasing v.
+// The triangles at the centers of the texels. Rows are in the order of increasing v.
 struct Texel_map
 {
   std::size_t size = 0;        // texels per row
@@ -22,11 +22,11 @@ struct Texel_map
   std::vector<double> squared_distance;
 };
 
-// Finds, for the center of each texel, the closest triangle image within `margin` texels.  Of
+// Finds, for the center of each texel, the closest triangle image within `margin` texels. Of
 // several at the same distance, the first is chosen.
 //
 // coordinates: 3 #triangles: UV coordinates of each corner in the unit square
-// Throws Invalid_argument_error if `size` is zero or above 2^14.  O(texels + triangles).
+// Throws Invalid_argument_error if `size` is zero or above 2^14. O(texels + triangles).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Texel_map rasterize_texels(const std::vector<Vec2>& coordinates, std::size_t size, double margin);
 

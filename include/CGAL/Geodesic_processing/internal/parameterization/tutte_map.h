@@ -15,12 +15,12 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<std::vector<Index>> boundary_loops(const Surface_arrays& triangles);
 
 // Throws Unsupported_surface_error unless the surface is a topological disk, possibly with holes:
-// connected, with boundary and of genus zero.  Isolated vertices are ignored.
+// connected, with boundary and of genus zero. Isolated vertices are ignored.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void check_is_disk(const Surface_arrays& triangles);
 
-// Computes Tutte's map of a disk.  The longest boundary cycle is mapped to a circle and each other
-// vertex to the mean of its neighbors.  Each hole is filled by one additional vertex.  In exact
+// Computes Tutte's map of a disk. The longest boundary cycle is mapped to a circle and each other
+// vertex to the mean of its neighbors. Each hole is filled by one additional vertex. In exact
 // arithmetic no triangle is inverted.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec2> tutte_map(const Surface_arrays& triangles);

@@ -21,7 +21,7 @@ void orient_positively(const Surface_arrays& triangles, std::vector<Vec2>& image
 // The rings are 4, and 8 if that fails.
 //
 // A connected region of more than 1,000 triangles is not changed, nor are regions beyond 3,000
-// triangles in total, nor those that cannot be repaired.  On a cloud nothing is changed.
+// triangles in total, nor those that cannot be repaired. On a cloud nothing is changed.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void untangle(const Surface_arrays& triangles, std::vector<Vec2>& image);
 

@@ -28,11 +28,11 @@ struct Cloud_path_options
   Path_options path; // its constraint is set according to the method
 };
 
-// A surfel cloud and the surface fitted to it.  It can be shared by several finders.
+// A surfel cloud and the surface fitted to it. It can be shared by several finders.
 class CGAL_GEODESIC_PROCESSING_EXPORT Fitted_cloud
 {
 public:
-  // Builds the proximity graph of a cloud.  If requested, estimates and removes noise.
+  // Builds the proximity graph of a cloud. If requested, estimates and removes noise.
   //
   // points, normals, radii  as for make_cloud()
   //
@@ -67,7 +67,7 @@ private:
     return m_given_vertex.empty() ? vertex : m_given_vertex[vertex];
   }
 
-  // Sets m_noise and returns the cloud, without noise if requested.  Sets m_given_cloud and
+  // Sets m_noise and returns the cloud, without noise if requested. Sets m_given_cloud and
   // m_coverage if they differ from those of the result.
   Surfel_cloud build_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
                            const std::vector<double>& radii, const Cloud_path_options& options);
@@ -77,7 +77,7 @@ private:
 
   double m_noise = 0.;
   Cloud_path_options m_options;
-  // The caller's cloud, without a graph.  It is empty if it is the same as m_cloud; then so is
+  // The caller's cloud, without a graph. It is empty if it is the same as m_cloud; then so is
   // m_given_vertex, the vertex of m_given_cloud for each vertex of m_cloud.
   Surfel_cloud m_given_cloud;
   std::unique_ptr<Surfel_coverage> m_coverage;
@@ -107,9 +107,9 @@ public:
 
   // Returns the path between two locations.
   //
-  // The path is not longer than the graph path from which it starts.  If it would be, it is
-  // recomputed on the disks of the surfels.  If that path is longer too, the result is a curve
-  // along the graph path.  All points are covered by surfels, see Surfel_coverage.  The surfels of
+  // The path is not longer than the graph path from which it starts. If it would be, it is
+  // recomputed on the disks of the surfels. If that path is longer too, the result is a curve
+  // along the graph path. All points are covered by surfels, see Surfel_coverage. The surfels of
   // consecutive points are joined by short graph paths, so that the path neither crosses gaps nor
   // jumps between sheets.
   Cloud_path operator()(const Tangent_location& from, const Tangent_location& to)
@@ -129,7 +129,7 @@ private:
   Graph_search m_search;
 };
 
-// Finds a path for each pair of locations.  The result does not depend on the number of threads.
+// Finds a path for each pair of locations. The result does not depend on the number of threads.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Cloud_path>
 find_paths(const Cloud_path_finder& finder,

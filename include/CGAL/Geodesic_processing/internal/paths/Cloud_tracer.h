@@ -14,7 +14,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 class Fitted_cloud;
 
-// A geodesic on a cloud.  The vertices of locations are positions in the caller's arrays, and all
+// A geodesic on a cloud. The vertices of locations are positions in the caller's arrays, and all
 // lengths are in the caller's unit.
 struct Traced_path
 {
@@ -31,7 +31,7 @@ struct Traced_path
 class CGAL_GEODESIC_PROCESSING_EXPORT Cloud_tracer
 {
 public:
-  // Fits the surface; O(n log n).  The arguments and the exceptions are those of Fitted_cloud.
+  // Fits the surface; O(n log n). The arguments and the exceptions are those of Fitted_cloud.
   Cloud_tracer(std::vector<Vec3> points, std::vector<Vec3> normals,
                const std::vector<double>& radii, unsigned number_of_threads);
 
@@ -42,7 +42,7 @@ public:
   // direction  projected to the tangent plane of the surface
   // length     finite and not negative
   //
-  // The steps are half of the distance to the sixth nearest surfel.  Throws the exceptions of
+  // The steps are half of the distance to the sixth nearest surfel. Throws the exceptions of
   // trace_on_surface().
   Traced_path operator()(const Tangent_location& from, const Vec3& direction, double length) const;
 

@@ -17,13 +17,13 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Finds shortest paths in a proximity graph between pairs of vertices.
 //
-// Dijkstra's algorithm, bidirectional search and A* return shortest paths.  These paths are the
-// same if the shortest path is unique.  The coarse-to-fine search returns the shortest path in a
-// corridor: the regions on a path in the coarse graph and their neighbors.  It is on average 0.3 %
-// longer.  If the coarse path is long, the search is guided along it, and the result is 1 to 2 %
+// Dijkstra's algorithm, bidirectional search and A* return shortest paths. These paths are the
+// same if the shortest path is unique. The coarse-to-fine search returns the shortest path in a
+// corridor: the regions on a path in the coarse graph and their neighbors. It is on average 0.3 %
+// longer. If the coarse path is long, the search is guided along it, and the result is 1 to 2 %
 // longer.
 //
-// The cost of a search is that of the visited vertices.  Memory: about 20 bytes per vertex, or 40
+// The cost of a search is that of the visited vertices. Memory: about 20 bytes per vertex, or 40
 // after a bidirectional search.
 class CGAL_GEODESIC_PROCESSING_EXPORT Graph_search
 {
@@ -35,7 +35,7 @@ public:
   Graph_search(const Proximity_graph& graph, const std::vector<Vec3>& point,
                const Vertex_regions* regions = nullptr);
 
-  // Returns the vertices of the path, including both endpoints.  Returns an empty path if the
+  // Returns the vertices of the path, including both endpoints. Returns an empty path if the
   // endpoints are not connected.
   std::vector<Index> operator()(Index from, Index to, Surfel_search method);
 

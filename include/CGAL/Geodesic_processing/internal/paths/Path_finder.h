@@ -16,16 +16,16 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Finds short paths between pairs of locations without computing a distance field.
 //
-// The search is A* (Hart, Nilsson and Raphael 1968) on the graph of edges.  If the surface has
-// points, the lower bound is the Euclidean distance to the goal.  On meshes, the graph also has
+// The search is A* (Hart, Nilsson and Raphael 1968) on the graph of edges. If the surface has
+// points, the lower bound is the Euclidean distance to the goal. On meshes, the graph also has
 // shortcuts: straight segments from a vertex across one or two edges to the opposite vertex in the
-// unfolded triangles.  Shortcuts lead to a better strip of triangles, in which shorten_geodesic()
-// then computes the shortest path.  On scans of 10,000 to 500,000 vertices, the shortened paths are
+// unfolded triangles. Shortcuts lead to a better strip of triangles, in which shorten_geodesic()
+// then computes the shortest path. On scans of 10,000 to 500,000 vertices, the shortened paths are
 // on average 0.002 to 0.07 % longer than exact shortest paths, and 0.1 to 2 % in the worst case.
 // Without shortcuts, these errors are three to seven times larger.
 //
-// The cost of a query is that of the visited vertices, not of the surface.  Memory: about 110 bytes
-// per vertex.  Shortcuts are computed when they are first used, and cached.  Copies share the
+// The cost of a query is that of the visited vertices, not of the surface. Memory: about 110 bytes
+// per vertex. Shortcuts are computed when they are first used, and cached. Copies share the
 // triangles; different copies can be used concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Path_finder
 {
@@ -33,14 +33,14 @@ public:
   explicit Path_finder(std::shared_ptr<const Surface_arrays> triangles);
 
   // Adds landmarks: vertices far from each other whose distances to all vertices are stored and
-  // improve the lower bound (Goldberg and Harrelson 2005).  On scans, a query then visits 2 to 4
-  // times fewer vertices.  Each landmark takes one Dijkstra search on the whole surface and 4 bytes
+  // improve the lower bound (Goldberg and Harrelson 2005). On scans, a query then visits 2 to 4
+  // times fewer vertices. Each landmark takes one Dijkstra search on the whole surface and 4 bytes
   // per vertex.
   void add_landmarks(unsigned number_of_landmarks);
 
-  // Returns a path from one location to the other, which is not yet shortened.  It consists of
-  // vertices and of one point on each edge that a shortcut crosses.  Consecutive locations are
-  // joined by a graph edge or lie in a common triangle.  Returns one location if both are the same
+  // Returns a path from one location to the other, which is not yet shortened. It consists of
+  // vertices and of one point on each edge that a shortcut crosses. Consecutive locations are
+  // joined by a graph edge or lie in a common triangle. Returns one location if both are the same
   // point, and an empty path if they are not connected.
   std::vector<Surface_location> operator()(const Surface_location& from,
                                            const Surface_location& to);
@@ -95,7 +95,7 @@ private:
   Index search(const std::vector<Link>& start_links, const std::vector<Link>& goal_links);
   // Appends a location unless the path already ends there.
   void append_location(std::vector<Surface_location>& path, const Surface_location& location) const;
-  // Appends the predecessors of a vertex to the path.  Returns the first vertex after the start.
+  // Appends the predecessors of a vertex to the path. Returns the first vertex after the start.
   Index append_predecessors(std::vector<Surface_location>& path, Index vertex) const;
 
   std::shared_ptr<const Surface_arrays> m_triangles;

@@ -10,16 +10,16 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Smooth curves through points on a surface, and their lengths.  All functions take linear time.
+// Smooth curves through points on a surface, and their lengths. All functions take linear time.
 
-// Inserts a point on each sharp edge that a segment of a path crosses.  Such an edge exists if the
-// normals at the segment's endpoints differ by more than 40 degrees.  It is the intersection line
+// Inserts a point on each sharp edge that a segment of a path crosses. Such an edge exists if the
+// normals at the segment's endpoints differ by more than 40 degrees. It is the intersection line
 // of both tangent planes, which must pass between the endpoints.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Projection> insert_sharp_edges(const std::vector<Projection>& path);
 
 // Inserts one point per segment by four-point subdivision (Dyn, Levin and Gregory 1987) and
-// projects it to the surface.  Points at which the path turns by 30 degrees or more remain corners.
+// projects it to the surface. Points at which the path turns by 30 degrees or more remain corners.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Projection> subdivide_curve(const Path_surface& surface,
                                         const std::vector<Projection>& path);
@@ -30,8 +30,8 @@ double polyline_length(const std::vector<Projection>& points);
 
 // Returns the estimated length of the surface path between two points with normals.
 //
-// The estimate is the length of a circular arc over their chord.  The arc's central angle is the
-// difference of the signed angles between the chord and the two tangent planes.  If a sharp edge
+// The estimate is the length of a circular arc over their chord. The arc's central angle is the
+// difference of the signed angles between the chord and the two tangent planes. If a sharp edge
 // separates the points (see insert_sharp_edges()), the shortest path across it in both tangent
 // planes is measured instead.
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -40,8 +40,8 @@ double arc_length(const Projection& from, const Projection& to);
 // Returns the length of a smooth curve through points.
 //
 // Each segment is replaced by a circular arc whose curvature is the average of those at its
-// endpoints.  The curvature at a point is that of the circle through the point and both neighbors.
-// It is zero at corners of 30 degrees or more.  The first and the last point have the curvature of
+// endpoints. The curvature at a point is that of the circle through the point and both neighbors.
+// It is zero at corners of 30 degrees or more. The first and the last point have the curvature of
 // their neighbor.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double curve_length(const std::vector<Projection>& points);

@@ -26,7 +26,7 @@ struct Path_options
   double alpha = 0.7, beta = 0.7; // weights of the squared distances of nodes and of midpoints
   std::size_t number_of_control_points = 75; // maximum before segments are refined
   double tolerance = 1e-11; // a level ends if the energy decreases by less than this fraction
-  // Maximum per level.  On the kitten, paths need a hundred iterations to converge, but after 40
+  // Maximum per level. On the kitten, paths need a hundred iterations to converge, but after 40
   // they become shorter by only 1e-6.
   std::size_t max_iterations = 40;
   double min_spacing = 0.; // fewer control points are used if they would be closer than this
@@ -37,11 +37,11 @@ struct Path_options
 //   sum |s_i|^2 / r_i  +  alpha sum d^2(v_i)  +  beta l^2 sum d^2(m_i) / |s_i|^2,
 //   s_i = v_(i+1) - v_i
 //
-// Here, d is the distance to the surface and m_i is the midpoint of segment i.  The factor l is the
-// mean length of the segments at the beginning of a level.  It makes the energy scale with the
-// square of the unit of length.  If nodes are projected, the second and the third sum are omitted.
+// Here, d is the distance to the surface and m_i is the midpoint of segment i. The factor l is the
+// mean length of the segments at the beginning of a level. It makes the energy scale with the
+// square of the unit of length. If nodes are projected, the second and the third sum are omitted.
 //
-// The relative lengths r_i are an extension of the paper.  The first sum is minimal if the lengths
+// The relative lengths r_i are an extension of the paper. The first sum is minimal if the lengths
 // of the segments are proportional to r_i.
 struct Path_energy
 {
@@ -67,7 +67,7 @@ struct Path_state
 //                  out: projections and energy; if nodes are projected, the points as well
 //
 // Linear in the number of nodes, with one projection per node and, for Path_constraint::energy, per
-// segment.  The endpoints are not projected.
+// segment. The endpoints are not projected.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void evaluate_energy(const Path_surface& surface, const Path_options& options,
                      const std::vector<double>& relative_length, double mean_length,
@@ -76,9 +76,9 @@ void evaluate_energy(const Path_surface& surface, const Path_options& options,
 // Minimizes the energy of a path locally; the endpoints are fixed.
 //
 // The method is Polak-Ribiere conjugate gradients with the tridiagonal matrix of the first sum as
-// preconditioner and an interpolating line search.  The energy never increases.
+// preconditioner and an interpolating line search. The energy never increases.
 //
-// path  in: at least the endpoints; out: the nodes.  Paths of fewer than three nodes are unchanged.
+// path  in: at least the endpoints; out: the nodes. Paths of fewer than three nodes are unchanged.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Path_energy_level minimize_energy(const Path_surface& surface, const Path_options& options,
                                   const std::vector<double>& relative_length,
@@ -96,7 +96,7 @@ struct Shortened_path
 
 // Shortens a path on a surface by a multilevel minimization of its energy.
 //
-// The number of segments doubles from level to level.  Finally, segments whose midpoints are not on
+// The number of segments doubles from level to level. Finally, segments whose midpoints are not on
 // the surface are halved, for example at sharp edges or at the boundary.
 //
 // chain  points on the surface; at least one
@@ -104,7 +104,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Shortened_path shorten_path(const Path_surface& surface, const Path_options& options,
                             const std::vector<Projection>& chain);
 
-// Shortens a path near a surface that is given by its squared distance function.  The method is
+// Shortens a path near a surface that is given by its squared distance function. The method is
 // that of the other overload with Path_constraint::energy.
 //
 // Throws Invalid_argument_error if there are fewer than two points, or if a point or a squared
@@ -114,7 +114,7 @@ Shortened_path shorten_path(const std::function<double(const Vec3&)>& squared_di
                             Path_options options, const std::vector<Vec3>& chain);
 
 // Computes a smooth curve through nodes on a surface, by inserting sharp edges and subdividing each
-// segment twice.  Sets the points and the lengths of a path.
+// segment twice. Sets the points and the lengths of a path.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void fit_curve(const Path_surface& surface, const std::vector<Projection>& nodes,
                Shortened_path& path);

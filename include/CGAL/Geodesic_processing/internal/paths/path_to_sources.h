@@ -15,9 +15,9 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Surface_location> shorten_path(const Surface_arrays& triangles,
                                            const std::vector<Surface_location>& path);
 
-// Computes the path from a location to the closest source of a distance field.  On a mesh, the path
-// is traced by Descent; on a cloud, it follows the predecessors.  It is then shortened; if the
-// slowness differs, quicken_path() reduces its travel time on a mesh instead.  Returns an empty path
+// Computes the path from a location to the closest source of a distance field. On a mesh, the path
+// is traced by Descent; on a cloud, it follows the predecessors. It is then shortened; if the
+// slowness differs, quicken_path() reduces its travel time on a mesh instead. Returns an empty path
 // if no source can be reached.
 //
 // sources      those of the field

@@ -23,17 +23,17 @@ struct Traced_curve
 //
 // The acceleration of a geodesic is normal to the surface, so its tangent is transported parallel.
 // A step of length h solves this equation by collocation at its beginning, middle and end (Lobatto
-// IIIA).  The three points are projected to the surface, and the tangent is transported by the
+// IIIA). The three points are projected to the surface, and the tangent is transported by the
 // double reflection of Wang, Juettler, Zheng and Liu (2008), applied to the integral of the
-// normals.  The error of the endpoint and the direction is O(h^4) on smooth surfaces.
+// normals. The error of the endpoint and the direction is O(h^4) on smooth surfaces.
 //
 // If the normal changes by more than 15 degrees in a step, the step is halved, at most three times.
 // If the normal still changes by more than 40 degrees, there is a sharp edge: both tangent planes
 // are unfolded at their line of intersection.
 //
 // The curve ends at the boundary: where projections have a conormal, are displaced tangentially, or
-// are not covered.  The position of the boundary is found by bisection.  Holes narrower than about
-// four steps are crossed, because the surface that is fitted to a random cloud has such holes.  A
+// are not covered. The position of the boundary is found by bisection. Holes narrower than about
+// four steps are crossed, because the surface that is fitted to a random cloud has such holes. A
 // curve that would end in a hole ends in front of it and counts as cut.
 //
 // max_step   returns the maximum length of a step near a vertex; positive
@@ -42,8 +42,8 @@ struct Traced_curve
 // length     finite and not negative
 //
 // If the boundary is not reached, the relative difference of the length to the requested one is at
-// most 1e-9, unless the fit changes abruptly at the end.  Throws Invalid_argument_error if the
-// direction is zero, not finite or normal to the surface, or if the length is invalid.  Linear in
+// most 1e-9, unless the fit changes abruptly at the end. Throws Invalid_argument_error if the
+// direction is zero, not finite or normal to the surface, or if the length is invalid. Linear in
 // the number of steps, with six projections per step.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Traced_curve trace_on_surface(const Path_surface& surface,

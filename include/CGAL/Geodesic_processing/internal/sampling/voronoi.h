@@ -86,7 +86,7 @@ private:
   Surface_location triple_point(Index triangle) const;
   bool is_crossed(Index h) const;
   int number_of_labels(Index triangle) const;
-  // Adds a vertex for each crossed edge.  Returns for each halfedge that vertex, or none.
+  // Adds a vertex for each crossed edge. Returns for each halfedge that vertex, or none.
   std::vector<Index> add_crossings(Cut_mesh& mesh) const;
 
   std::shared_ptr<const Surface_arrays> m_triangles;

@@ -13,12 +13,12 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A balanced kd-tree of points in space.  The constructor sorts the points, such that node k of
-// level d contains the points k n / 2^d .. (k + 1) n / 2^d - 1.  So the tree only stores the
-// bounding boxes of its nodes, about 9 bytes per point.  Consecutive points are close to each
+// A balanced kd-tree of points in space. The constructor sorts the points, such that node k of
+// level d contains the points k n / 2^d .. (k + 1) n / 2^d - 1. So the tree only stores the
+// bounding boxes of its nodes, about 9 bytes per point. Consecutive points are close to each
 // other.
 //
-// The tree does not store the points.  Each query must receive the array that the constructor
+// The tree does not store the points. Each query must receive the array that the constructor
 // sorted.
 class Kd_tree
 {
@@ -39,15 +39,15 @@ public:
 
   Kd_tree() = default;
 
-  // Builds the tree and sorts the points, which must be finite.  Sets `order` (#points) to the
-  // former index of each point.  The result depends neither on the order of the input nor on the
-  // number of threads; only coincident points keep their order.  O(n log n).
+  // Builds the tree and sorts the points, which must be finite. Sets `order` (#points) to the
+  // former index of each point. The result depends neither on the order of the input nor on the
+  // number of threads; only coincident points keep their order. O(n log n).
   CGAL_GEODESIC_PROCESSING_EXPORT
   Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned number_of_threads = 1);
 
   std::size_t size() const { return m_size; }
 
-  // Multiplies all boxes by a power of two.  The caller must scale the points by the same factor.
+  // Multiplies all boxes by a power of two. The caller must scale the points by the same factor.
   CGAL_GEODESIC_PROCESSING_EXPORT
   void scale(double factor);
 
@@ -75,7 +75,7 @@ public:
   std::pair<Index, Index> ancestor(Index point, std::size_t size) const;
 
   // Sets `result` to the ranges of all leaves whose box is within `squared_distance` of the
-  // bounding box of the points first .. last - 1.  Returns false, with an incomplete result, if
+  // bounding box of the points first .. last - 1. Returns false, with an incomplete result, if
   // these leaves contain more than `max_number` points.
   CGAL_GEODESIC_PROCESSING_EXPORT
   bool leaves_near(const std::vector<Point>& points, Index first, Index last,

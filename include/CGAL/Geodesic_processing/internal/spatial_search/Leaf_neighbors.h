@@ -12,12 +12,12 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Computes the k nearest neighbors of all points of a tree, one leaf at a time.  The points of
-// nearby leaves are gathered once for all points of a leaf.  The results equal those of
-// Kd_tree::nearest().  If the points are samples of a surface, the search takes two thirds of the
+// Computes the k nearest neighbors of all points of a tree, one leaf at a time. The points of
+// nearby leaves are gathered once for all points of a leaf. The results equal those of
+// Kd_tree::nearest(). If the points are samples of a surface, the search takes two thirds of the
 // time.
 //
-// An object reuses its arrays.  Use one object per thread.
+// An object reuses its arrays. Use one object per thread.
 class Leaf_neighbors
 {
 public:
@@ -34,7 +34,7 @@ public:
   Index leaf_end(Index point) const { return m_tree.leaf(point).second; }
 
   // Returns a row of size() neighbors for each of the points first .. last - 1, which must belong
-  // to one leaf.  A row is sorted by distance and then by index; it includes the point itself.
+  // to one leaf. A row is sorted by distance and then by index; it includes the point itself.
   CGAL_GEODESIC_PROCESSING_EXPORT
   const std::vector<Neighbor>& find(Index first, Index last);
 

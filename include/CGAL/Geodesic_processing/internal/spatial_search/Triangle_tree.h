@@ -11,15 +11,15 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Computes the closest location of a mesh to a point in space, by CGAL's AABB tree of the
-// triangles.  Copies share the tree.  Queries are thread-safe.
+// triangles. Copies share the tree. Queries are thread-safe.
 class CGAL_GEODESIC_PROCESSING_EXPORT Triangle_tree
 {
 public:
-  // Builds the tree of all triangles with positive area.  O(n log n).
+  // Builds the tree of all triangles with positive area. O(n log n).
   explicit Triangle_tree(std::shared_ptr<const Surface_arrays> triangles);
 
-  // Returns the closest location to a point, which is given in the caller's coordinates.  If no
-  // triangle has a positive area, returns the closest vertex.  Throws Invalid_argument_error if a
+  // Returns the closest location to a point, which is given in the caller's coordinates. If no
+  // triangle has a positive area, returns the closest vertex. Throws Invalid_argument_error if a
   // coordinate is not finite or the mesh has no vertices.
   Surface_location nearest(const std::array<double, 3>& point) const;
 

@@ -17,17 +17,17 @@ struct Hierarchy
   std::vector<Index> input_vertex; // #vertices of the subdivision: the index in the input
 };
 
-// Recovers the hierarchy of a triangulation with subdivision connectivity (Taubin 2002).  At most
+// Recovers the hierarchy of a triangulation with subdivision connectivity (Taubin 2002). At most
 // `max_number_of_levels` coarser levels are computed; the subdivision has one level if there are
 // none.
 //
 // A level is found by partitioning the triangles into tiles: a central triangle and its three
-// neighbors.  One tile determines all tiles of its connected component.  So four choices are tried
-// for each component: the first triangle and its neighbors as the center.  If several choices
+// neighbors. One tile determines all tiles of its connected component. So four choices are tried
+// for each component: the first triangle and its neighbors as the center. If several choices
 // succeed, as on a regular torus, the one with the smallest sum of coarse vertex indices is used.
 // The output of subdivide() is recovered with the same indices.
 //
-// Throws the exceptions of subdivide().  O(n) per level.
+// Throws the exceptions of subdivide(). O(n) per level.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number_of_vertices,
                             unsigned max_number_of_levels);

@@ -14,11 +14,11 @@ namespace CGAL::Geodesic_processing::internal {
 using Triangle = std::array<Index, 3>; // vertices, counterclockwise
 using Quad = std::array<Index, 4>;
 
-// Repeated 1-to-4 subdivision of triangles (uniform refinement).  Each level adds the midpoints of
-// the edges of the previous level, in the order in which its halfedges first refer to them.  So the
+// Repeated 1-to-4 subdivision of triangles (uniform refinement). Each level adds the midpoints of
+// the edges of the previous level, in the order in which its halfedges first refer to them. So the
 // vertices of a level are a prefix of those of the next level.
 //
-// Triangle f has four children.  Child 4f+k, for k = 0, 1, 2, keeps corner k of f as its corner k.
+// Triangle f has four children. Child 4f+k, for k = 0, 1, 2, keeps corner k of f as its corner k.
 // Child 4f+3 is the central one; its corner k is opposite to corner k of f:
 //
 //               2
@@ -68,11 +68,11 @@ inline bool is_edge_representative(const Subdivision::Level& level, Index h)
 }
 
 // Returns true if a halfedge data structure can represent a level: a vertex that is surrounded by a
-// closed fan of triangles has no other triangles.  Several open fans are admitted.  O(n).
+// closed fan of triangles has no other triangles. Several open fans are admitted. O(n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_halfedge_mesh(const Subdivision::Level& level);
 
-// Subdivides triangles `times` times.  O(size of the result); 60 bytes per triangle of the result.
+// Subdivides triangles `times` times. O(size of the result); 60 bytes per triangle of the result.
 //
 // Throws Invalid_argument_error if
 // - a triangle refers to a vertex twice, or to one that does not exist,
@@ -83,11 +83,11 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Subdivision subdivide(const std::vector<Triangle>& triangles, Index number_of_vertices,
                       unsigned times);
 
-// Adds a level.  Throws Invalid_argument_error if it would have 2^31 halfedges or more.
+// Adds a level. Throws Invalid_argument_error if it would have 2^31 halfedges or more.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void subdivide(Subdivision& subdivision);
 
-// A location in a triangle of the coarsest level.  The barycentric coordinates are multiplied by a
+// A location in a triangle of the coarsest level. The barycentric coordinates are multiplied by a
 // common denominator, so that sums and comparisons of integers are exact.
 struct Coarse_location
 {
@@ -96,13 +96,13 @@ struct Coarse_location
 };
 
 // Returns the location of each vertex (#vertices) in the first triangle of the coarsest level that
-// contains it.  The denominator is 2^times.  O(size of all levels).
+// contains it. The denominator is 2^times. O(size of all levels).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Coarse_location> coarse_locations(const Subdivision& subdivision);
 
 // Subdivision of triangles into quads, the second scheme of Peyré and Cohen (2003, figure 19).
-// First each triangle is split into three quads.  The corners of quad k are: corner k, the midpoint
-// of edge k, the centroid, the midpoint of edge k-1.  Then each quad is repeatedly split into four;
+// First each triangle is split into three quads. The corners of quad k are: corner k, the midpoint
+// of edge k, the centroid, the midpoint of edge k-1. Then each quad is repeatedly split into four;
 // child k keeps corner k of its parent as its corner k.
 struct Quad_subdivision
 {
@@ -114,9 +114,9 @@ struct Quad_subdivision
                //   three in a triangle, four in a quad; empty for the input vertices
 };
 
-// Subdivides triangles into `levels` levels of quads, at least one.  The denominator of the
-// locations is 6 * 4^(levels - 1), which must be below 2^32.  Throws the exceptions of subdivide(),
-// and Invalid_argument_error if `levels` is zero.  O(n log n).
+// Subdivides triangles into `levels` levels of quads, at least one. The denominator of the
+// locations is 6 * 4^(levels - 1), which must be below 2^32. Throws the exceptions of subdivide(),
+// and Invalid_argument_error if `levels` is zero. O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Quad_subdivision subdivide_into_quads(const std::vector<Triangle>& triangles,
                                       Index number_of_vertices, unsigned levels);

@@ -14,18 +14,18 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Progressive coding of wavelet coefficients by zerotrees (Khodakovsky, Schröder and Sweldens
-// 2000).  The stream has the most significant bits first, so that each prefix decodes to an
+// 2000). The stream has the most significant bits first, so that each prefix decodes to an
 // approximation.
 //
-// The coefficients are coded by bit planes.  A plane first states which coefficients become
-// significant, from the coarsest to the finest level, and adds one bit to the significant ones.  If
-// no descendant of a coefficient is significant, one bit states this for the whole tree.  The
+// The coefficients are coded by bit planes. A plane first states which coefficients become
+// significant, from the coarsest to the finest level, and adds one bit to the significant ones. If
+// no descendant of a coefficient is significant, one bit states this for the whole tree. The
 // coefficient of an edge has four children: its two halves, and the two edges of the next level
-// parallel to it in its two triangles.  Bits are coded arithmetically with contexts: the
+// parallel to it in its two triangles. Bits are coded arithmetically with contexts: the
 // significance of the parent, of the other edges of both triangles, and of the other channels.
 //
 // Layout: a header, the base triangles, then the bit planes, each with its length and a checksum
-// (CRC-32).  Integers are stored with the least significant byte first.  If a stream is damaged,
+// (CRC-32). Integers are stored with the least significant byte first. If a stream is damaged,
 // the planes before the damage are decoded.
 
 struct Wavelet_signal
@@ -44,7 +44,7 @@ struct Wavelet_signal
 // max_number_of_bytes  the stream is truncated to this size
 //
 // Throws Invalid_argument_error if the surface has no vertices, a number is out of range, or a
-// value is not finite or exceeds 1e280.  O(size of the stream + planes * n).
+// value is not finite or exceeds 1e280. O(size of the stream + planes * n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<std::uint8_t> encode(const Subdivision& subdivision, const Wavelet_signal& signal,
                                  unsigned planes, unsigned tangent_shift = 2,
@@ -59,7 +59,7 @@ struct Decoded_wavelets
   bool is_damaged = false;      // a checksum differs: only the planes before it are used
 };
 
-// Decodes a stream or a prefix of one.  Throws Invalid_argument_error if the header or the base
+// Decodes a stream or a prefix of one. Throws Invalid_argument_error if the header or the base
 // mesh is incomplete or damaged, or if the surface has more than `max_number_of_vertices` vertices.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Decoded_wavelets decode(const std::uint8_t* bytes, std::size_t size,

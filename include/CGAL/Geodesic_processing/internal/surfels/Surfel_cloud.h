@@ -19,20 +19,20 @@ struct Surfel_cloud_options
   Surfel_graph graph = Surfel_graph::extended_spheres;
   std::size_t neighbors =
       20; // number of nearest surfels that are candidates for the edges of a surfel
-  // The normals of two neighbors differ by less than this angle.  It admits edges across the
+  // The normals of two neighbors differ by less than this angle. It admits edges across the
   // creases of a cube, and excludes edges through a thin sheet.
   double maximum_angle = 1.7453292519943295; // 100 degrees
   // If no radii are given, the radius of a surfel is the distance to its neighbor of this rank,
   // divided by sqrt(2).
   std::size_t rank = 8;
-  // The radius of the spheres of influence divided by the radius of the surfel.  On a square
+  // The radius of the spheres of influence divided by the radius of the surfel. On a square
   // lattice, sqrt(2) yields edges in 16 directions, whose shortest paths are at most 2.7 % too
-  // long.  A ratio of 1 yields 8 directions and 8 %.
+  // long. A ratio of 1 yields 8 directions and 8 %.
   double influence_ratio = 1.4142135623730951;
   unsigned number_of_threads = 1; // does not change the result
 };
 
-// A cloud of surfels in the order of its kd-tree, with a proximity graph.  Paths on clouds use it.
+// A cloud of surfels in the order of its kd-tree, with a proximity graph. Paths on clouds use it.
 struct Surfel_cloud : Sorted_surfels
 {
   std::vector<double> radius;        // #vertices: scaled
@@ -53,8 +53,8 @@ struct Surfel_cloud : Sorted_surfels
 // frame    if not null, the coordinates are scaled by this frame instead of the frame of the
 //          points; so two similar clouds can have the same coordinates
 //
-// Coincident surfels with compatible normals become one vertex.  Edges connect a surfel only to its
-// `options.neighbors` nearest surfels.  The types of graphs are:
+// Coincident surfels with compatible normals become one vertex. Edges connect a surfel only to its
+// `options.neighbors` nearest surfels. The types of graphs are:
 //   extended_spheres  edges between compatible surfels whose spheres of influence intersect; the
 //                     radius of a sphere is `influence_ratio` times the radius of the surfel
 //                     (Ruggeri, Darom, Saupe and Kiryati 2006)
@@ -62,7 +62,7 @@ struct Surfel_cloud : Sorted_surfels
 //                     distance to the nearest surfel; normals are ignored (Klein and Zachmann 2004)
 //   nearest           edges to all `neighbors` nearest surfels; normals are ignored (ditto)
 //
-// Throws the exceptions of build_surfel_arrays().  O(n log n).
+// Throws the exceptions of build_surfel_arrays(). O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
                         const std::vector<double>& radii = {},

@@ -23,28 +23,28 @@ enum class Surfel_fit
 // A surface that is fitted to a cloud of surfels by moving least squares.
 //
 // The nearest surfel of a point is found by walking in the graph, so that the projection stays on
-// one sheet.  The surface is fitted to this surfel and its graph neighbors.  A surfel at the
+// one sheet. The surface is fitted to this surfel and its graph neighbors. A surfel at the
 // distance d has the weight (1 - (d / h)^2)^4, with h = 2.3 times the mean radius of the nearest
-// surfel and its neighbors.  To preserve sharp edges, the weight decreases to zero if the normal
-// differs from the normal of the nearest surfel by 40 to 60 degrees.  The surface has an edge at
+// surfel and its neighbors. To preserve sharp edges, the weight decreases to zero if the normal
+// differs from the normal of the nearest surfel by 40 to 60 degrees. The surface has an edge at
 // equal distances from the fits of both faces.
 //
 // With robust weights, the 24 nearest surfels with compatible normals are used instead of the graph
-// neighbors, because noise removes edges of the graph.  Each has an additional factor
-// (1 - (h / (2.5 s))^2)^2.  Here, h is its median height over its own 24 nearest surfels, and s is
-// the local standard deviation of these heights, estimated by the median.  So the weight of
-// outliers is zero, and noise keeps its weight.  The walk skips outliers.
+// neighbors, because noise removes edges of the graph. Each has an additional factor
+// (1 - (h / (2.5 s))^2)^2. Here, h is its median height over its own 24 nearest surfels, and s is
+// the local standard deviation of these heights, estimated by the median. So the weight of
+// outliers is zero, and noise keeps its weight. The walk skips outliers.
 //
-// The surface has a boundary.  A projection is within an extent of the nearest surfel, measured
-// along its tangent plane.  The extent is the minimum of two bounds:
-// - 1.5 times the minimum of the radius of the surfel and the mean radius of its neighbors.  The
+// The surface has a boundary. A projection is within an extent of the nearest surfel, measured
+// along its tangent plane. The extent is the minimum of two bounds:
+// - 1.5 times the minimum of the radius of the surfel and the mean radius of its neighbors. The
 //   mean matters next to gaps, because there the neighbors of a surfel, and so its radius, are
-//   larger.  In random samples, a factor of 1 leaves holes of 2 % of the area, and 1.5 leaves
+//   larger. In random samples, a factor of 1 leaves holes of 2 % of the area, and 1.5 leaves
 //   0.01 %.
-// - 1.1 times the ninth decile of the radii of the surfel and its neighbors.  So an isolated surfel
+// - 1.1 times the ninth decile of the radii of the surfel and its neighbors. So an isolated surfel
 //   in a hole of a scan does not close the hole.
 // All projections are also within the covered radius (Surfel_coverage::radius()) of the surfel or
-// one of its neighbors.  Otherwise the projection is moved to the closest of these balls.
+// one of its neighbors. Otherwise the projection is moved to the closest of these balls.
 class CGAL_GEODESIC_PROCESSING_EXPORT Surfel_surface : public Path_surface
 {
 public:
@@ -52,19 +52,19 @@ public:
   // Keeps references to the cloud, the coverage and `original_vertex`.
   //
   // original_vertex  #vertices: the vertex of the coverage's cloud from which each vertex
-  //                  originates; empty if both clouds are the same.  Both clouds must have the same
+  //                  originates; empty if both clouds are the same. Both clouds must have the same
   //                  frame.
   Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit, const Surfel_coverage& coverage,
                  const std::vector<Index>& original_vertex);
 
-  // Returns the projection of a point to the surface.  `near_vertex` is the vertex at which the
+  // Returns the projection of a point to the surface. `near_vertex` is the vertex at which the
   // walk to the nearest surfel begins.
   Projection project(const Vec3& point, Index near_vertex) const override;
   // Returns the point if it is covered, otherwise a covered point near it.
   Vec3 clamped_to_coverage(const Vec3& point, Index near_vertex) const override;
 
   // Returns the length of a greedy walk in the graph from one vertex to another: each step goes to
-  // the neighbor closest to the target.  Returns infinity if no neighbor is closer than the current
+  // the neighbor closest to the target. Returns infinity if no neighbor is closer than the current
   // vertex.
   double walk_length(Index from, Index to) const;
 

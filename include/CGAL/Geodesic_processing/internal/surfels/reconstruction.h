@@ -9,15 +9,15 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Computes a mesh that interpolates the surfels of a clean cloud, by CGAL's advancing front
-// (Cohen-Steiner and Da 2004).  Its vertices are the vertices of the cloud.
+// (Cohen-Steiner and Da 2004). Its vertices are the vertices of the cloud.
 //
 // Only Delaunay triangles whose circumradius is at most `max_circumradius_ratio` times the smallest
-// radius of their corners, and whose normal is compatible with the surfels, are used.  Small gaps
-// are closed afterwards.  Each component is oriented by the majority of the normals.  Copies of
+// radius of their corners, and whose normal is compatible with the surfels, are used. Small gaps
+// are closed afterwards. Each component is oriented by the majority of the normals. Copies of
 // surfels, and surfels without a triangle, become isolated vertices.
 //
 // Throws Unsupported_surface_error if the cloud is noisy, so that the surface would have too many
-// components.  O(n log n + n c) for c components.
+// components. O(n log n + n c) for c components.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mesh_arrays reconstruct_surface(const Surfel_arrays& surfels);
 

@@ -13,9 +13,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Maximum circumradius of a triangle divided by the smallest radius of its corners.  In random
+// Maximum circumradius of a triangle divided by the smallest radius of its corners. In random
 // samples of a plane, 1.5 loses 1 % of the triangles, 2 loses a few, and 2.5 loses triangles along
-// the boundary only.  Larger values close gaps.
+// the boundary only. Larger values close gaps.
 constexpr double max_circumradius_ratio = 2.5;
 
 struct Surfel_options
@@ -35,7 +35,7 @@ struct Surfel_arrays
   std::vector<double> radius;         // #vertices: scaled
   std::vector<Index> internal_vertex; // #surfels: the vertex of each surfel
   std::vector<Index> caller_vertex;   // #vertices: the surfel of each vertex
-  // The tree of the first tree.size() vertices.  The other vertices are copies of one of these.
+  // The tree of the first tree.size() vertices. The other vertices are copies of one of these.
   Kd_tree tree;
 };
 
@@ -46,27 +46,27 @@ struct Surfel_arrays
 // radii    #surfels: nonnegative, in the caller's unit; or empty
 //
 // Two surfels are neighbors if their normals are compatible and the chord between them is nearly
-// tangential, see Compatibility_test.  So parallel sheets remain separate.  If a sharp edge leaves
+// tangential, see Compatibility_test. So parallel sheets remain separate. If a sharp edge leaves
 // a gap in the ring of a surfel, neighbors with steeper chords are used as well.
 //
-// The graph has two kinds of edges.  One is the extended sphere-of-influence graph (Ruggeri, Darom,
-// Saupe and Kiryati 2006).  It connects two neighbors if their spheres intersect, and if one is
-// among the 24 nearest surfels of the other.  The other kind is the edges of all triangles.  The
+// The graph has two kinds of edges. One is the extended sphere-of-influence graph (Ruggeri, Darom,
+// Saupe and Kiryati 2006). It connects two neighbors if their spheres intersect, and if one is
+// among the 24 nearest surfels of the other. The other kind is the edges of all triangles. The
 // graph is symmetric, and the edges of a vertex are sorted by their targets.
 //
 // The triangles at a surfel are those of the Delaunay triangulation of the projections of its
-// neighbors to its tangent plane.  A triangle has weight 1 if all three corners find it, otherwise
-// 1/3 for each corner that finds it (Sharp and Crane 2020).  Triangles whose circumradius exceeds
+// neighbors to its tangent plane. A triangle has weight 1 if all three corners find it, otherwise
+// 1/3 for each corner that finds it (Sharp and Crane 2020). Triangles whose circumradius exceeds
 // `max_circumradius_ratio` times the smallest radius of their corners are omitted, so that gaps and
 // boundaries remain open.
 //
 // Coincident surfels with compatible normals are represented by one vertex, and its copies are
-// connected to it by edges of length zero.  Copies have no triangles.  Coordinates and lengths are
+// connected to it by edges of length zero. Copies have no triangles. Coordinates and lengths are
 // scaled by a power of two, such that the longest edge lies in [1, 2).
 //
-// Throws Invalid_argument_error if the sizes differ, or an option is out of range.  It is also
+// Throws Invalid_argument_error if the sizes differ, or an option is out of range. It is also
 // thrown if a number is not finite, a radius is negative, a normal is zero, or distances overflow.
-// Throws Unsupported_surface_error if there are more than 2^25 surfels.  O(n log n); the result has
+// Throws Unsupported_surface_error if there are more than 2^25 surfels. O(n log n); the result has
 // about 400 bytes per surfel, and the computation needs twice as many.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
@@ -74,7 +74,7 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
                                   const std::vector<double>& radii = {},
                                   const Surfel_options& options = {});
 
-// A location on a cloud: an offset in the tangent plane of a vertex.  Its two components refer to
+// A location on a cloud: an offset in the tangent plane of a vertex. Its two components refer to
 // the basis of tangent_frame() and are scaled.
 struct Tangent_location
 {
@@ -83,9 +83,9 @@ struct Tangent_location
 };
 
 // Returns the vertex of the tree that is nearest to a point, and the projection of the point to its
-// tangent plane.  The point is given in the caller's coordinates.  The length of the offset is
+// tangent plane. The point is given in the caller's coordinates. The length of the offset is
 // clamped to `max_circumradius_ratio` radii, the maximum distance of the circumcenters of its
-// triangles.  Throws Invalid_argument_error if a coordinate is not finite or the tree is empty.
+// triangles. Throws Invalid_argument_error if a coordinate is not finite or the tree is empty.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Tangent_location locate(const Kd_tree& tree, const std::vector<Vec3>& points,
                         const std::vector<Vec3>& normals, const std::vector<double>& radii,
@@ -96,10 +96,10 @@ inline Tangent_location locate(const Surfel_arrays& surfels, const std::array<do
   return locate(surfels.tree, t.point, t.normal, surfels.radius, {t.origin, t.scale}, point);
 }
 
-// Converts a location in a tangent plane to a location in a triangle.  The triangle is incident to
-// the vertex of the location or to one of its neighbors in the graph.  All triangles are projected
-// to the tangent plane.  If none contains the location, returns the closest location on their
-// edges.  If there are no triangles, or the offset is zero, returns the vertex.
+// Converts a location in a tangent plane to a location in a triangle. The triangle is incident to
+// the vertex of the location or to one of its neighbors in the graph. All triangles are projected
+// to the tangent plane. If none contains the location, returns the closest location on their
+// edges. If there are no triangles, or the offset is zero, returns the vertex.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location to_surface_location(const Surface_arrays& arrays,
                                      const Tangent_location& location);

@@ -24,11 +24,11 @@ struct Estimated_surfels
 // outlier_percentage   percentage of the points to remove: those with the largest mean squared
 //                      distance to their neighbors
 //
-// Normals are estimated by estimate_normals() and oriented.  Radii are those of make_cloud().
+// Normals are estimated by estimate_normals() and oriented. Radii are those of make_cloud().
 //
 // Throws Invalid_argument_error if a coordinate is not finite, the number of neighbors is below 6,
-// or the percentage is not in [0, 100].  Throws Unsupported_surface_error if the number of
-// remaining points does not exceed the number of neighbors.  O(n log n).
+// or the percentage is not in [0, 100]. Throws Unsupported_surface_error if the number of
+// remaining points does not exceed the number of neighbors. O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned number_of_neighbors,
                                    double outlier_percentage, unsigned number_of_threads = 1);

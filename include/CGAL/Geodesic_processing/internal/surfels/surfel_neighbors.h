@@ -18,12 +18,12 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Number of surfels that a thread processes at a time.  Results do not depend on the number of
+// Number of surfels that a thread processes at a time. Results do not depend on the number of
 // threads.
 inline constexpr std::size_t surfel_block_size = 2048;
 
 // Throws Invalid_argument_error if the numbers of points and normals differ, or the number of radii
-// is neither zero nor the number of points.  Throws Unsupported_surface_error if there are more
+// is neither zero nor the number of points. Throws Unsupported_surface_error if there are more
 // than 2^25 points.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void check_sizes(std::size_t points, std::size_t normals, std::size_t radii);
@@ -34,8 +34,8 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 void normalize(std::vector<Vec3>& normals);
 
 // Classifies how two surfels can be neighbors on a surface, by the product of the chord between
-// them with the sum of their normals.  On a circular arc, the chord is perpendicular to the sum.
-// Between two parallel sheets it is not.  Across a sharp edge or with noise, it need not be.
+// them with the sum of their normals. On a circular arc, the chord is perpendicular to the sum.
+// Between two parallel sheets it is not. Across a sharp edge or with noise, it need not be.
 enum class Compatibility
 {
   incompatible,
@@ -47,9 +47,9 @@ struct Compatibility_test
 {
   double cosine; // of the maximum angle between the normals
 
-  // Bounds of the product of the sum of the normals with the unit vector of the chord.  The gentle
+  // Bounds of the product of the sum of the normals with the unit vector of the chord. The gentle
   // bound separates parallel sheets at the distance of one spacing: it only admits chords to the
-  // other sheet that are at least 4 spacings long.  The steep bound, for chords across sharp edges,
+  // other sheet that are at least 4 spacings long. The steep bound, for chords across sharp edges,
   // increases with the difference of the normals.
   static constexpr double max_gentle_rise = 0.5, max_steep_rise = 1., rise_gain = 0.7;
 
@@ -71,7 +71,7 @@ struct Compatibility_test
   }
 };
 
-// Surfels in the order of the kd-tree of their points.  Coincident surfels with compatible normals
+// Surfels in the order of the kd-tree of their points. Coincident surfels with compatible normals
 // are represented by one vertex, which is the first of them.
 struct Sorted_surfels
 {
@@ -88,14 +88,14 @@ struct Sorted_surfels
 // cosine   coincident surfels are merged if the cosine between their normals exceeds this number
 // frame    the scaling of the coordinates; if null, it is unit_frame() of the points
 //
-// Throws the exceptions of unit_frame().  O(n log n).
+// Throws the exceptions of unit_frame(). O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Sorted_surfels sort_surfels(std::vector<Vec3> points, const std::vector<Vec3>& normals,
                             double cosine, unsigned number_of_threads,
                             const Frame* frame = nullptr);
 
-// Rows of different lengths, which several threads fill block by block.  A block consists of
-// `surfel_block_size` rows and has its own buffer.  begin() and end() work before and after join().
+// Rows of different lengths, which several threads fill block by block. A block consists of
+// `surfel_block_size` rows and has its own buffer. begin() and end() work before and after join().
 class Ragged_rows
 {
 public:
@@ -103,7 +103,7 @@ public:
       : row_begin(size + 1, 0), m_buffers((size + surfel_block_size - 1) / surfel_block_size)
   {}
 
-  // Returns the entries of a block.  Append the rows of the block in order, and call end_row()
+  // Returns the entries of a block. Append the rows of the block in order, and call end_row()
   // after each.
   std::vector<Index>& buffer(std::size_t block) { return m_buffers[block]; }
   void end_row(std::size_t block, std::size_t row)
@@ -150,8 +150,8 @@ private:
   std::vector<std::vector<Index>> m_buffers;
 };
 
-// Calls visit(block, i, found) for each point i of the tree.  `found` contains the point itself and
-// its `count` nearest points, sorted by distance.  Threads visit different blocks in parallel.
+// Calls visit(block, i, found) for each point i of the tree. `found` contains the point itself and
+// its `count` nearest points, sorted by distance. Threads visit different blocks in parallel.
 template <typename Visit>
 void visit_nearest(const std::vector<Vec3>& point, const Kd_tree& tree, std::size_t count,
                    unsigned number_of_threads, const Visit& visit)
@@ -183,17 +183,17 @@ struct Neighbor_distances
 };
 
 // Computes for each surfel its `count` nearest surfels without the incompatible ones, sorted by
-// distance.  If `compatibility_test` is null, all of them are kept.  Sets `distances`.  The rows
-// are not joined.  O(n log n).
+// distance. If `compatibility_test` is null, all of them are kept. Sets `distances`. The rows
+// are not joined. O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Ragged_rows find_neighbors(const Sorted_surfels& surfels,
                            const Compatibility_test* compatibility_test, std::size_t count,
                            unsigned number_of_threads, Neighbor_distances& distances);
 
-// Returns the scaled radius of each vertex.  If `radii` (#surfels) is not empty, it is the given
-// radius, but at most 8: this is larger than the cloud, and its square cannot overflow.  Otherwise
+// Returns the scaled radius of each vertex. If `radii` (#surfels) is not empty, it is the given
+// radius, but at most 8: this is larger than the cloud, and its square cannot overflow. Otherwise
 // it is the distance to the neighbor of the given rank, or to the last one if there are fewer,
-// divided by sqrt(2).  Throws Invalid_argument_error if a given radius is negative or not finite.
+// divided by sqrt(2). Throws Invalid_argument_error if a given radius is negative or not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> surfel_radii(const Sorted_surfels& surfels, const std::vector<double>& radii,
                                  const Ragged_rows& neighbors, std::size_t rank,

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-// The choices of paths on surfel clouds.  The public header of the same name documents them.
+// The choices of paths on surfel clouds. The public header of the same name documents them.
 
 namespace CGAL::Geodesic_processing::internal {
 

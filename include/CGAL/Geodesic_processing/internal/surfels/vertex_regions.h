@@ -17,7 +17,7 @@ struct Vertex_regions
   std::vector<Index>
       region;              // #vertices: the region of the seed with the shortest path to the vertex
   std::vector<Vec3> point; // #regions: the position of the seed
-  // Connects regions that are connected by an edge of the input.  The length of an edge is the
+  // Connects regions that are connected by an edge of the input. The length of an edge is the
   // minimum over these input edges of the length of the path between both seeds through the edge.
   Proximity_graph graph;
 

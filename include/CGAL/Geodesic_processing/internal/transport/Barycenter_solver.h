@@ -47,26 +47,26 @@ struct Barycenter_result : Transport_barycenter_cost
 CGAL_GEODESIC_PROCESSING_EXPORT
 void check_weights(const std::vector<double>& weights, std::size_t number);
 
-// Computes barycenters of masses m_i with weights w_i.  If W is the earth mover's distance, the
+// Computes barycenters of masses m_i with weights w_i. If W is the earth mover's distance, the
 // barycenter is the m >= 0 that minimizes the sum of w_i W(m, m_i)^2 (Solomon, Rustamov, Guibas
 // and Butscher 2014):
 //   minimize the sum of w_i (integral of |J_i|)^2 subject to divergence(J_i) = m_i - m for all i.
 //
-// Both bounds are certified.  Every feasible m with flows J_i is an upper bound.  For the lower
+// Both bounds are certified. Every feasible m with flows J_i is an upper bound. For the lower
 // bound, W^2 is the maximum of 2 (integral of phi (m_i - m)) - t^2 over functions with
-// |gradient(phi)| <= t.  Thus potentials phi_i of slopes t_i, with the best common factor, prove
-// L^2 / (sum of w_i t_i^2).  To compute L, subtract from the sum of w_i (integral of phi_i m_i) the
-// maximum, over m, of the integral of (sum of w_i phi_i) m.  This maximum is attained if the mass
+// |gradient(phi)| <= t. Thus potentials phi_i of slopes t_i, with the best common factor, prove
+// L^2 / (sum of w_i t_i^2). To compute L, subtract from the sum of w_i (integral of phi_i m_i) the
+// maximum, over m, of the integral of (sum of w_i phi_i) m. This maximum is attained if the mass
 // of each component is at the vertex with the largest sum of w_i phi_i.
 //
 // The method is ADMM.  Each step projects to the flows with a common m, then shrinks the flows and
-// clamps the masses at zero.  The projection uses two precomputed factorizations.
+// clamps the masses at zero. The projection uses two precomputed factorizations.
 //
-// Results scale with the units of length, mass and weight.  Queries can run concurrently.
+// Results scale with the units of length, mass and weight. Queries can run concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Barycenter_solver
 {
 public:
-  // Computes two factorizations.  Throws Unsupported_surface_error if no triangle has an area.
+  // Computes two factorizations. Throws Unsupported_surface_error if no triangle has an area.
   explicit Barycenter_solver(Operators operators);
 
   // Computes the barycenter of the given masses.

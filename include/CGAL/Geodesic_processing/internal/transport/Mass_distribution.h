@@ -23,7 +23,7 @@ struct Mass_distribution
 };
 
 // #vertices: returns masses at vertices that have the same integral against each function that is
-// linear in triangles.  A mass inside a triangle is distributed by its barycentric coordinates.
+// linear in triangles. A mass inside a triangle is distributed by its barycentric coordinates.
 // O(n).
 //
 // area  #triangles: as computed by operators(), in the unit of the arrays; zero in obstacles
@@ -36,9 +36,9 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Mass_distribution refined(const Surface_arrays& coarse, const Surface_arrays& fine,
                           const Mass_distribution& masses);
 
-// Returns `to` minus `from`.  If `do_normalize` is set, each is first divided by its total mass.
+// Returns `to` minus `from`. If `do_normalize` is set, each is first divided by its total mass.
 // Throws Invalid_argument_error if a mass is not finite, or if a total mass that must be normalized
-// is not positive.  If `do_normalize` is not set, throws it also if the total masses differ by more
+// is not positive. If `do_normalize` is not set, throws it also if the total masses differ by more
 // than 1e-9 of the larger sum of absolute masses.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mass_distribution difference(const Surface_arrays& triangles, const std::vector<double>& area,

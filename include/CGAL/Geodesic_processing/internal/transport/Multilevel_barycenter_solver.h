@@ -12,7 +12,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Computes barycenters on a surface that is refined uniformly, optionally with a metric.  This
+// Computes barycenters on a surface that is refined uniformly, optionally with a metric. This
 // class refines the masses, calls Barycenter_solver on the finest level, and maps the result back
 // to the input.
 //
@@ -27,7 +27,7 @@ public:
                                         unsigned refinements = 0,
                                         std::vector<Metric_tensor> metric = {});
 
-  // Computes a barycenter in the unit of the coordinates.  Masses and flows of the result are
+  // Computes a barycenter in the unit of the coordinates. Masses and flows of the result are
   // those of the vertices and triangles before refinement; potentials are omitted.
   //
   // do_normalize  scales each mass distribution to a total mass of one

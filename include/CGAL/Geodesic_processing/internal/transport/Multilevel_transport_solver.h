@@ -18,16 +18,16 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns the default number of uniform refinements.  On coarse surfaces, the cost between points
-// can be more than a percent too small.  A query on the refined surface takes some tenths of a
+// Returns the default number of uniform refinements. On coarse surfaces, the cost between points
+// can be more than a percent too small. A query on the refined surface takes some tenths of a
 // second there.
 inline unsigned default_number_of_refinements(const Surface_arrays& triangles)
 {
   return triangles.number_of_vertices() <= 5000 ? 1 : 0;
 }
 
-// The region at which mass can leave the surface: a list of exits.  An exit is a set of vertices,
-// with the edges and triangles between them, or a polyline.  Moving within an exit costs nothing.
+// The region at which mass can leave the surface: a list of exits. An exit is a set of vertices,
+// with the edges and triangles between them, or a polyline. Moving within an exit costs nothing.
 // Without limits, moving between exits costs nothing either.
 struct Transport_region
 {
@@ -45,8 +45,8 @@ struct Transport_region
 };
 
 // Computes optimal transport on a surface that is refined uniformly, optionally with a metric and
-// with a region.  This class uses a Transport_solver on each of the last two levels, extrapolates
-// the value, and maps the result of the finest level back to the input.  Results are in the unit
+// with a region. This class uses a Transport_solver on each of the last two levels, extrapolates
+// the value, and maps the result of the finest level back to the input. Results are in the unit
 // of the coordinates.
 //
 // Const member functions can be called concurrently.
@@ -67,26 +67,26 @@ public:
                                        std::vector<Metric_tensor> metric = {},
                                        Transport_region region = {});
 
-  // Computes the transport from one mass distribution to another.  Throws Invalid_argument_error
+  // Computes the transport from one mass distribution to another. Throws Invalid_argument_error
   // if a mass is not finite, if the total masses differ (on the surface or on a component), or if
   // a distribution that is to be normalized has no positive total mass.
   Transport_result solve(const Mass_distribution& from, const Mass_distribution& to,
                          const Transport_options& options = {}) const;
 
   // Computes the transport of a mass distribution to the region, with free marginal: each mass
-  // arrives in the region at minimum cost.  Without limits the potential is zero in the region,
-  // and elsewhere its absolute value is a lower bound of the distance to the region.  With limits
-  // it is the potential of Transport_solver.  Throws as solve(), and if a component with mass has
+  // arrives in the region at minimum cost. Without limits the potential is zero in the region,
+  // and elsewhere its absolute value is a lower bound of the distance to the region. With limits
+  // it is the potential of Transport_solver. Throws as solve(), and if a component with mass has
   // no exit or too little capacity.
   Transport_result solve_to_region(const Mass_distribution& from,
                                    const Transport_options& options = {}) const;
 
-  // Prepares streamlines of the flow of a result.  On a mesh this takes two factorizations and
+  // Prepares streamlines of the flow of a result. On a mesh this takes two factorizations and
   // some hundred back substitutions.
   Streamlines streamlines(const Transport_result& result) const;
 
   // Returns whether lengths are those of the surface, that is, whether the metric is the
-  // identity, on meshes except in obstacles.  Only then can streamlines be shortened on
+  // identity, on meshes except in obstacles. Only then can streamlines be shortened on
   // open_triangles().
   bool has_surface_metric() const;
 
@@ -129,7 +129,7 @@ private:
   std::size_t base_level() const { return m_curve_embedding ? 1 : 0; }
 
   std::vector<Exit> limited_exits(const Level& level) const;
-  // Solves for masses (target minus source) on the base level.  Potential and flow are those of its
+  // Solves for masses (target minus source) on the base level. Potential and flow are those of its
   // vertices and triangles.
   Transport_result transport_masses(Mass_distribution masses,
                                     const Transport_options& options) const;

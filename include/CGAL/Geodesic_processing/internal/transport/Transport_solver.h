@@ -39,7 +39,7 @@ struct Transport_options
   bool do_bound_from_above = false; // computes Transport_result::upper_continuous
 };
 
-// A vertex at which mass can leave the surface.  If x leaves, 0 <= x <= capacity, the cost is
+// A vertex at which mass can leave the surface. If x leaves, 0 <= x <= capacity, the cost is
 // price / 2 * x^2.
 struct Exit
 {
@@ -49,7 +49,7 @@ struct Exit
 };
 
 // The bounds of a query (lengths times masses) with the potential and the flow that certify them.
-// Transport_solver uses the unit of length of its operators.  Multilevel_transport_solver uses the
+// Transport_solver uses the unit of length of its operators. Multilevel_transport_solver uses the
 // unit of the coordinates, and returns potential and flow on the vertices and triangles before
 // refinement.
 struct Transport_result : Earth_movers_cost
@@ -83,44 +83,44 @@ inline void rescale(Transport_result& result, double scale)
 // triangle.
 //
 // Both bounds are certified: every feasible J is an upper bound, and every phi, divided by its
-// maximum slope, is a lower bound.  Round-off errors, which are large if triangles are needles, make
-// J slightly infeasible.  The upper bound contains the cost of moving the missing masses along edges.
-// A function phi of slope one changes no faster than the geodesic distance.  Therefore the lower
-// bound also holds for the distance on the surface itself.  On smooth surfaces the distance is larger
+// maximum slope, is a lower bound. Round-off errors, which are large if triangles are needles, make
+// J slightly infeasible. The upper bound contains the cost of moving the missing masses along edges.
+// A function phi of slope one changes no faster than the geodesic distance. Therefore the lower
+// bound also holds for the distance on the surface itself. On smooth surfaces the distance is larger
 // by O(edge length).
 //
 // The default method is a primal-dual interior point method for the second-order cone program:
-// Nesterov-Todd scaling, Mehrotra's predictor and corrector, Gondzio's centrality corrector.  The
-// matrix of each iteration is a Laplacian with a tensor in each triangle.  All of these matrices
+// Nesterov-Todd scaling, Mehrotra's predictor and corrector, Gondzio's centrality corrector. The
+// matrix of each iteration is a Laplacian with a tensor in each triangle. All of these matrices
 // have one sparsity pattern, whose symbolic analysis is shared by all queries.
 //
 // To a gap of 0.1 percent, 5 to 9 iterations are needed between points of models of 6,000 to 40,000
-// vertices, and 16 to 21 between smooth densities (test/benchmark/transport.cpp).  O(n^1.5) each.
+// vertices, and 16 to 21 between smooth densities (test/benchmark/transport.cpp). O(n^1.5) each.
 //
-// Results scale with the units of length and mass.  Queries can run concurrently.
+// Results scale with the units of length and mass. Queries can run concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Transport_solver
 {
 public:
-  // Factorizes the Laplacian.  Throws Unsupported_surface_error if no triangle has an area.
+  // Factorizes the Laplacian. Throws Unsupported_surface_error if no triangle has an area.
   explicit Transport_solver(Operators operators);
 
   // Computes bounds, potential and flow for the given masses.
   //
-  // masses  #vertices: target mass minus source mass.  On each component they must sum to zero,
+  // masses  #vertices: target mass minus source mass. On each component they must sum to zero,
   //         up to 1e-9 of the sum of their absolute values.
   // exits   If a component has exits, its surplus of source mass leaves through them, and the
-  //         bounds include the prices.  The potential is then minus the marginal cost of mass
-  //         that leaves.  At an exit with capacity left it is -price * outflow, at a full exit it
-  //         is at most this value.  `interior_point` only.
+  //         bounds include the prices. The potential is then minus the marginal cost of mass
+  //         that leaves. At an exit with capacity left it is -price * outflow, at a full exit it
+  //         is at most this value. `interior_point` only.
   //
   // Throws Invalid_argument_error if a mass is not finite, if the masses do not sum to zero, or if
-  // the tolerance is not positive.  Throws it also if an exit is invalid, or if the exits of a
+  // the tolerance is not positive. Throws it also if an exit is invalid, or if the exits of a
   // component have too little capacity.
   Transport_result solve(const Vector& masses, const Transport_options& options = {},
                          const std::vector<Exit>& exits = {}) const;
 
   // Returns the flow with the given divergence that minimizes the integral of its squared length.
-  // The masses must sum to zero on each component.  One back substitution.
+  // The masses must sum to zero on each component. One back substitution.
   //
   // To make a field J feasible with the smallest correction, add the flow of the masses
   // masses - minus_divergence(J).

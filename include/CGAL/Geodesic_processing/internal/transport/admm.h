@@ -10,14 +10,14 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Minimizes the integral of the length of a field over an affine set of fields.  This is the
+// Minimizes the integral of the length of a field over an affine set of fields. This is the
 // alternating direction method of multipliers (ADMM) of Solomon, Rustamov, Guibas and Butscher
-// 2014, section 5.  It alternates between the projection to the set and shrinking all vectors.  A
+// 2014, section 5. It alternates between the projection to the set and shrinking all vectors. A
 // gap of half a percent takes some hundred projections.
 //
-// Both bounds are certified.  Every field of the set is an upper bound.  For the lower bound, let a
+// Both bounds are certified. Every field of the set is an upper bound. For the lower bound, let a
 // field have vectors of length at most one, and be orthogonal to all differences of fields of the
-// set.  Its inner product with each field of the set is the same, and is a lower bound.
+// set. Its inner product with each field of the set is the same, and is a lower bound.
 class CGAL_GEODESIC_PROCESSING_EXPORT Admm
 {
 public:
@@ -31,7 +31,7 @@ public:
     Field shrunk_flow, scaled_dual;
   };
 
-  // Stores a reference to the operators.  Computes the least squares field: one projection.
+  // Stores a reference to the operators. Computes the least squares field: one projection.
   Admm(const Operators& operators, Projection projection, State initial_state = {});
 
   // Performs the given number of steps, then updates the bounds: steps + 1 projections.
