@@ -254,6 +254,7 @@ TEST(Region_transport_solver, throws_on_invalid_region)
   EXPECT_THROW(Solver(mesh, location_of(0, {0.5, 0.8, 0.})), GP::Invalid_argument_error);
   EXPECT_NO_THROW(Solver(mesh, location_of(0, {0., 1., 0.})));
   Solver solver(mesh, Vertex(3));
+  EXPECT_THROW(solver.arrival(Vertex(3)), GP::Invalid_argument_error);
   EXPECT_THROW(solver.compute(Vertex(30)), GP::Invalid_argument_error);
   EXPECT_THROW(solver.compute(Vertex(0), GP::parameters::tolerance(0.)),
                GP::Invalid_argument_error);

@@ -41,4 +41,17 @@ TEST(earth_movers_distance, accepts_domain)
             GP::earth_movers_distance(mesh, Vertex(0), Vertex(24)).value);
 }
 
+TEST(Earth_movers_solver, has_no_result_before_a_query)
+{
+  Mesh mesh = mesh_of(square(4));
+  const GP::Earth_movers_solver<Mesh> solver(mesh);
+  const auto values = vertex_map(mesh);
+  const auto flow = mesh.add_property_map<Face, Kernel::Vector_3>().first;
+  EXPECT_THROW(solver.potential(Vertex(0)), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.write_potential(values), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.write_flow(flow), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.write_likelihood(values), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.streamlines(), GP::Invalid_argument_error);
+}
+
 } // namespace earth_movers_distance_test

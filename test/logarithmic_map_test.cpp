@@ -276,6 +276,27 @@ TEST(logarithmic_map, supports_clouds_and_polyhedra)
   EXPECT_EQ(on_polyhedron.reached().size(), num_vertices(polyhedron));
 }
 
+TEST(logarithmic_map, frame_of_location_of_cloud_is_on_triangles)
+{
+  using Map = GP::Logarithmic_map<Surfels>;
+  const Surfels surfels = sphere_surfels(5);
+  Map map(surfels, GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
+  for(std::size_t surfel = 0; surfel < surfels.size(); surfel += 997)
+  {
+    const Map::Location base{surfel, {0.008, -0.005}}; // the surfels are 0.03 to 0.04 apart
+    map.compute(base, GP::parameters::maximum_distance(0.2));
+    const Vector_3 offset = map.frame().origin - map.domain().point(base);
+    const Vector_3 normal = get(Surfel_normal_map(), surfels[surfel]);
+    // The triangles are at most d^2/8 below the unit sphere if d is their longest edge, and the
+    // tangent plane is 0.5 * 0.0094^2 = 4.5e-5 above it. Tangential components are round-off errors.
+    EXPECT_LT(offset * normal, 0.);
+    EXPECT_GT(offset * normal, -0.05 * 0.05 / 8. - 4.5e-5);
+    EXPECT_LT(CGAL::cross_product(offset, normal).squared_length(), 1e-28);
+  }
+  map.compute(std::size_t(7));
+  EXPECT_EQ(map.frame().origin, surfels[7].first);
+}
+
 TEST(logarithmic_map, copies_share_fitted_surface_of_cloud)
 {
   const Surfels surfels = sphere_surfels(4);
@@ -302,6 +323,8 @@ TEST(logarithmic_map, throws_on_invalid_input)
 {
   const Mesh mesh = mesh_of(square(3));
   GP::Logarithmic_map<Mesh> map(mesh);
+  EXPECT_THROW(map.frame(), GP::Invalid_argument_error);
+  EXPECT_THROW(map.exponential({0.1, 0.1}), GP::Invalid_argument_error);
   EXPECT_THROW(map.compute(Vertex(0), GP::parameters::maximum_distance(-1.)),
                GP::Invalid_argument_error);
   EXPECT_THROW(map.compute(Vertex(0), GP::parameters::stencil_length(-1.)),

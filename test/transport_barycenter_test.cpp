@@ -36,4 +36,13 @@ TEST(Transport_barycenter, agrees_with_solver)
   EXPECT_EQ(GP::transport_barycenter(domain, points, masses, np).value, cost.value);
 }
 
+TEST(Transport_barycenter_solver, has_no_masses_before_a_query)
+{
+  Mesh mesh = mesh_of(square(4));
+  const GP::Transport_barycenter_solver<Mesh> solver(mesh);
+  EXPECT_THROW(solver.mass(Vertex(0)), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.write_masses(vertex_map(mesh)), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.write_density(vertex_map(mesh)), GP::Invalid_argument_error);
+}
+
 } // namespace transport_barycenter_test

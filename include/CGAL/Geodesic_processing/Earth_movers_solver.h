@@ -70,17 +70,18 @@ public:
   /// slope at most one. Its integral over the target mass minus that over the source mass is the
   /// lower bound.
   /// \param vertex a vertex or surfel of the surface
-  /// \pre `compute()` was called
-  double potential(Vertex vertex) const { return m_result.potential[m_domain.index(vertex)]; }
+  /// \throws Invalid_argument_error if there was no query
+  double potential(Vertex vertex) const { return last_result().potential[m_domain.index(vertex)]; }
 
   /// Writes the potential of each vertex or surfel, a `double`, to a property map.
   /// \tparam PotentialMap a model of `WritablePropertyMap` with vertices or surfels as keys
   /// \param map receives the potential
-  /// \pre `compute()` was called
+  /// \throws Invalid_argument_error if there was no query
   template <typename PotentialMap>
   void write_potential(PotentialMap map) const
   {
-    m_domain.write([&](internal::Index i) { return m_result.potential[i]; }, map);
+    const internal::Vector& potential = last_result().potential;
+    m_domain.write([&](internal::Index i) { return potential[i]; }, map);
   }
 
   /// Writes the flow to a property map: a `Vector_3` for each face of a mesh or each surfel of a
@@ -89,11 +90,11 @@ public:
   /// \tparam FlowMap a model of `WritablePropertyMap` with faces or surfels as keys and `Vector_3`
   ///         as values
   /// \param map receives the flow
-  /// \pre `compute()` was called
+  /// \throws Invalid_argument_error if there was no query
   template <typename FlowMap>
   void write_flow(FlowMap map) const
   {
-    internal::write_vectors(m_domain, m_result.flow, map);
+    internal::write_vectors(m_domain, last_result().flow, map);
   }
 
   /// Writes the likelihood that mass passes each vertex or surfel, a number in [0, 1]. It is the
@@ -112,8 +113,8 @@ public:
   ///     \cgalParamDefault{0: not smoothed}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \pre `compute()` was called
-  /// \throws Invalid_argument_error if the radius is negative or not finite
+  /// \throws Invalid_argument_error if there was no query, or if the radius is negative or not
+  ///         finite
   template <typename LikelihoodMap, typename NamedParameters = internal::Default_parameters>
   void write_likelihood(LikelihoodMap map, const NamedParameters& np = NamedParameters()) const
   {
@@ -121,7 +122,7 @@ public:
     if(!(radius >= 0. && radius < internal::infinity))
       throw Invalid_argument_error("The smoothing radius is negative or not finite.");
     const internal::Surface_arrays& t = *m_domain.triangles();
-    internal::Vector lengths = internal::mean_magnitudes(t, m_result.flow);
+    internal::Vector lengths = internal::mean_magnitudes(t, last_result().flow);
     if(radius > 0.)
       lengths = internal::diffused(internal::operators(t), lengths, radius / t.scale).cwiseMax(0.);
     const double largest = lengths.size() > 0 ? lengths.maxCoeff() : 0.;
@@ -146,19 +147,17 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   Streamline_tracer<Surface> streamlines(const NamedParameters& np = NamedParameters()) const
   {
-    if(m_result.flow.empty())
-      throw Invalid_argument_error("Streamlines require a flow, but none was computed.");
-    return {m_domain, *m_kernel, m_result,
+    return {m_domain, *m_kernel, last_result(),
             internal::parameter(np, internal_np::do_straighten, true)};
   }
 
   /// Writes the potential and the flow to the property maps `potential_map` and `flow_map` of `np`,
   /// if it has them.
-  /// \pre `compute()` was called
+  /// \throws Invalid_argument_error if there was no query
   template <typename NamedParameters>
   void write_maps(const NamedParameters& np) const
   {
-    internal::write_transport_maps(m_domain, m_result, np);
+    internal::write_transport_maps(m_domain, last_result(), np);
   }
 
 protected:
@@ -182,6 +181,14 @@ protected:
   }
 
   Earth_movers_cost cost() const { return m_result; }
+
+  // Returns the result of the last query. Throws Invalid_argument_error if there was none.
+  const internal::Transport_result& last_result() const
+  {
+    if(m_result.flow.empty())
+      throw Invalid_argument_error("Nothing was computed yet: compute() must be called before.");
+    return m_result;
+  }
 
   Domain m_domain;
   std::shared_ptr<const internal::Multilevel_transport_solver> m_kernel;

@@ -171,20 +171,21 @@ public:
 
   /// Returns the mass that arrives at a vertex or surfel; zero outside of the region.
   /// \param vertex a vertex or surfel of the surface
-  /// \pre `compute()` was called
+  /// \throws Invalid_argument_error if there was no query
   double arrival(Vertex vertex) const
   {
-    return this->m_result.arrivals[this->m_domain.index(vertex)];
+    return this->last_result().arrivals[this->m_domain.index(vertex)];
   }
 
   /// Writes the mass that arrives at each vertex or surfel, a `double`, to a property map. O(n).
   /// \tparam ArrivalMap a model of `WritablePropertyMap` with vertices or surfels as keys
   /// \param map receives the arriving masses
-  /// \pre `compute()` was called
+  /// \throws Invalid_argument_error if there was no query
   template <typename ArrivalMap>
   void write_arrivals(ArrivalMap map) const
   {
-    this->m_domain.write([&](internal::Index i) { return this->m_result.arrivals[i]; }, map);
+    const internal::Vector& arrivals = this->last_result().arrivals;
+    this->m_domain.write([&](internal::Index i) { return arrivals[i]; }, map);
   }
 };
 

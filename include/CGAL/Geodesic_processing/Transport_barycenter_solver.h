@@ -153,18 +153,19 @@ public:
 
   /// Returns the mass of the barycenter at a vertex or surfel.
   /// \param vertex a vertex or surfel of the surface
-  /// \pre `compute()` was called
-  double mass(Vertex vertex) const { return m_result.masses[m_domain.index(vertex)]; }
+  /// \throws Invalid_argument_error if no barycenter was computed
+  double mass(Vertex vertex) const { return last_masses()[m_domain.index(vertex)]; }
 
   /// Writes the mass of the barycenter at each vertex or surfel, a `double`. Masses at vertices
   /// that were inserted by refinement are distributed to the original ones.
   /// \tparam MassMap a model of `WritablePropertyMap` with vertices or surfels as keys
   /// \param map receives the masses
-  /// \pre `compute()` was called
+  /// \throws Invalid_argument_error if no barycenter was computed
   template <typename MassMap>
   void write_masses(MassMap map) const
   {
-    m_domain.write([&](internal::Index i) { return m_result.masses[i]; }, map);
+    const internal::Vector& masses = last_masses();
+    m_domain.write([&](internal::Index i) { return masses[i]; }, map);
   }
 
   /// Writes the density of the barycenter at each vertex or surfel. This is the mass divided by a
@@ -173,12 +174,13 @@ public:
   /// \tparam DensityMap a model of `WritablePropertyMap` with vertices or surfels as keys and
   ///         `double` as values
   /// \param map receives the densities
-  /// \pre `compute()` was called
+  /// \throws Invalid_argument_error if no barycenter was computed
   template <typename DensityMap>
   void write_density(DensityMap map) const
   {
+    const internal::Vector& masses = last_masses();
     const auto density = [&](internal::Index i)
-    { return m_result.masses[i] > 0. ? m_result.masses[i] / m_kernel->vertex_areas()[i] : 0.; };
+    { return masses[i] > 0. ? masses[i] / m_kernel->vertex_areas()[i] : 0.; };
     m_domain.write(density, map);
   }
 
@@ -198,6 +200,14 @@ public:
   }
 
 private:
+  // Returns the masses of the last barycenter. Throws Invalid_argument_error if there was none.
+  const internal::Vector& last_masses() const
+  {
+    if(m_result.masses.size() == 0)
+      throw Invalid_argument_error("Nothing was computed yet: compute() must be called before.");
+    return m_result.masses;
+  }
+
   Domain m_domain;
   std::shared_ptr<const internal::Multilevel_barycenter_solver> m_kernel;
   internal::Barycenter_result m_result;

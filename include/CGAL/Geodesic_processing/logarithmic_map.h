@@ -51,7 +51,10 @@ struct Tangent_frame
   using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
   using Vector_3 = typename internal::Surface_traits<Surface>::Vector_3;
 
-  Point_3 origin = ORIGIN;  ///< the base point; on a cloud, its projection to the local triangles
+  /// The base point. On a cloud, a location with an offset is a point of a tangent plane; then this
+  /// is the point of a triangle of neighboring surfels that is above or below it, in the direction
+  /// of the surfel's normal.
+  Point_3 origin = ORIGIN;
   Vector_3 u = NULL_VECTOR; ///< the unit vector along the first axis of the map
   Vector_3 v = NULL_VECTOR; ///< the unit vector along the second axis
 
@@ -169,6 +172,8 @@ public:
   ///         or not a number, the stencil size is less than three, or the direction is normal to
   ///         the surface
   /// \throws Invalid_argument_error if the base point does not belong to the surface
+  /// \throws Unsupported_surface_error if `Exact` exceeds its limit of windows. Then nothing is
+  ///         inside the map. After an `Invalid_argument_error` the last map remains.
   ///
   /// `Gradient` takes the time of a distance computation from the base point and from each location
   /// of the stencil. `Exact` takes the time of one exact computation. `Discrete_exponential`
@@ -181,7 +186,7 @@ public:
 
   /// Returns the tangent plane in space. If the one-ring of the base vertex is not planar, the
   /// axes are those that agree best with the incident edges.
-  /// \pre `compute()` was called
+  /// \throws Invalid_argument_error if no map was computed
   Tangent_frame<Surface> frame() const;
 
   /// Returns the vertices or surfels inside the map, approximately in the order of their distances.
@@ -246,12 +251,11 @@ public:
   /// can be used concurrently.
   /// \tparam TangentVector `Vector_2`, `Point_2`, or an array of two numbers
   /// \param vector the tangent vector, in the axes of `frame()`
-  /// \pre `compute()` was called
-  /// \throws Invalid_argument_error if the vector is not finite
+  /// \throws Invalid_argument_error if no map was computed, or if the vector is not finite
   template <typename TangentVector = Vector>
   Location exponential(const TangentVector& vector) const
   {
-    return m_exponential(m_domain, *m_plane, internal::tangent_vector(vector));
+    return m_exponential(m_domain, plane(), internal::tangent_vector(vector));
   }
   /// @}
 
@@ -266,6 +270,13 @@ private:
                                              std::numeric_limits<double>::quiet_NaN()};
 
   double scale() const { return m_domain.triangles()->scale; }
+  // Returns the plane of the last map. Throws Invalid_argument_error if there was none.
+  const internal::Oriented_tangent_plane& plane() const
+  {
+    if(!m_plane)
+      throw Invalid_argument_error("Nothing was computed yet: compute() must be called before.");
+    return *m_plane;
+  }
   const internal::Vec2& inner(Vertex vertex) const { return m_coordinates[m_domain.index(vertex)]; }
 
   Domain m_domain;
@@ -294,6 +305,7 @@ void Logarithmic_map<Surface, Method>::compute(const Place& base, const NamedPar
   for(const internal::Index vertex : m_reached)
     m_coordinates[vertex] = outside;
   m_reached.clear();
+  m_defects = {};
   const internal::Vec2 turn = {std::cos(m_plane->rotation), std::sin(m_plane->rotation)};
   m_engine.run(m_plane->plane, options,
                [&](internal::Index vertex, const internal::Vec2& vector)
@@ -309,10 +321,10 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 {
   const auto vector = [&](double angle)
   {
-    const internal::Vec3 p = m_plane->plane.direction(angle - m_plane->rotation);
+    const internal::Vec3 p = plane().plane.direction(angle - plane().rotation);
     return Vector_3(p[0], p[1], p[2]);
   };
-  return {m_domain.point(m_plane->plane.location()), vector(0.), vector(internal::pi / 2.)};
+  return {m_domain.point(plane().plane.location()), vector(0.), vector(internal::pi / 2.)};
 }
 
 /// \ingroup PkgGeodesicProcessingLogMap
