@@ -77,6 +77,23 @@ TEST_F(Program, path_on_a_square_is_straight)
   EXPECT_NEAR(exact["front_distance"].get<double>(), std::hypot(0.8, 0.1), round_off);
 }
 
+TEST_F(Program, path_follows_speeds)
+{
+  const nlohmann::json path = json("path square.ply --from 0 --to 80 --speed double_speed");
+  EXPECT_NEAR(path["length"].get<double>(), std::sqrt(2.), round_off);
+  // The travel time of a front: it is measured from vertex to vertex, and 1 % is its usual error.
+  EXPECT_NEAR(path["front_distance"].get<double>(), std::sqrt(0.5), 0.01 * std::sqrt(0.5));
+  // A plane has no curvature, so that all speeds are equal.
+  const nlohmann::json on_cloud =
+      json("path cloud.xyz --from 0 --to 143 --speed curvature-attractive");
+  EXPECT_NEAR(on_cloud["length"].get<double>(), std::sqrt(2.), round_off);
+  for(const char* const options : {"--locally-shortest", "--method heat", "--strength 2"})
+    EXPECT_EQ(
+        run(std::string("path square.ply --from 0 --to 80 --speed double_speed ") + options).code,
+        1)
+        << options;
+}
+
 TEST_F(Program, path_on_a_cloud_joins_endpoints)
 {
   const nlohmann::json path = json("path cloud.xyz --from 0 --to 143 --values p.txt");

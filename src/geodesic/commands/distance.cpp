@@ -129,12 +129,7 @@ void check(const Distance_options& options)
     throw Usage_error("--relative-tolerance: the tolerance must not be negative.");
   if(options.relative_tolerance > 0. && options.method != "automatic" && options.method != "exact")
     throw Usage_error("--relative-tolerance: only the method exact has a tolerance.");
-  check(options.speed_options);
-  if(options.speed_options.is_given() && options.method != "automatic" &&
-     options.method != "exact" && options.method != "fast-marching" &&
-     options.method != "euclidean")
-    throw Usage_error("--speed, --density-image: only the methods automatic, exact, euclidean and "
-                      "fast-marching support speeds.");
+  check(options.speed_options, options.method);
 }
 
 void run_distance(Job& job, const Distance_options& options)

@@ -5,6 +5,7 @@
 #include "picture/Picture.h"
 #include "readers/Scanner.h"
 #include "commands/cloud_paths.h"
+#include "commands/speed_options.h"
 #include "app/commands.h"
 #include "io/errors.h"
 
@@ -25,6 +26,7 @@ struct Path_options
 {
   Path_end from = {"", "", "--from", "--from-at"}, to = {"", "", "--to", "--to-at"};
   std::string method; // the path follows this method's distances; empty: search for a single path
+  Speed_options speed_options;      // the path has a short travel time
   bool is_locally_shortest = false; // the search ends with the first locally shortest path
   Cloud_path_options cloud;
   bool start = false; // also output the initial path in the surfel graph
@@ -34,6 +36,7 @@ struct Path_result
 {
   std::vector<Point> points;
   double length = 0., front_distance = 0., lower = 0.;
+  std::vector<double> speed; // #vertices; empty: 1 everywhere
   // On a cloud:
   std::vector<Point> start;
   double start_length = 0.;
@@ -46,6 +49,18 @@ std::size_t parse_vertex(const Path_end& end)
   if(vertices.size() != 1)
     throw Usage_error(std::string(end.vertex_option) + ": exactly one vertex is required.");
   return vertices[0];
+}
+
+// Returns whether a single path is searched. Otherwise the path follows distances.
+bool is_single_search(const Path_options& options)
+{
+  return options.method.empty() && !options.speed_options.is_given();
+}
+
+// Returns the method of the distances that the path follows.
+std::string distance_method(const Path_options& options)
+{
+  return options.method.empty() ? "automatic" : options.method;
 }
 
 template <typename Path>
@@ -71,12 +86,13 @@ Path_result find_path(const Surface_type& surface, const Path_options& options, 
                              : Path_endpoint(locate(domain, end.point, end.point_option));
   };
   const Path_endpoint from = endpoint(options.from), to = endpoint(options.to);
-  job.begin_stage("query");
   Path_result result;
+  result.speed = compute_speeds(domain, options.speed_options, job);
+  job.begin_stage("query");
   std::visit(
       [&](const auto& begin, const auto& end)
       {
-        if(options.method.empty())
+        if(is_single_search(options))
         {
           GP::Geodesic_path_finder<Surface_type> finder(domain);
           copy_path(options.is_locally_shortest ? finder.locally_shortest_path(begin, end)
@@ -85,8 +101,9 @@ Path_result find_path(const Surface_type& surface, const Path_options& options, 
         }
         else
         {
-          Distance_solver<Surface_type> solver(domain, to_method(options.method));
-          solver.compute(end, GP::parameters::targets(begin));
+          Distance_solver<Surface_type> solver(domain, to_method(distance_method(options)));
+          solver.compute(end, GP::parameters::targets(begin).speed_map(
+                                  speed_map<typename Domain::Vertex>(result.speed)));
           copy_path(solver.path(begin), result);
         }
       },
@@ -138,17 +155,20 @@ void run_path(Job& job, const Path_options& options)
 {
   check(options.from);
   check(options.to);
-  if(!options.method.empty())
-    check_method(options.method);
+  check_method(distance_method(options));
+  check(options.speed_options, distance_method(options));
+  if(options.is_locally_shortest && !is_single_search(options))
+    throw Usage_error("--locally-shortest: this option cannot be combined with --method, --speed "
+                      "and --density-image.");
   const Surface& surface = job.read({"vtp", "ply", "obj"});
-  check_method(options.method, surface);
+  check_method(distance_method(options), surface);
   for(const Path_end* end : {&options.from, &options.to})
     if(!end->vertex.empty())
       check_vertex(surface, parse_vertex(*end));
 
   job.begin_stage("prepare");
   Path_result result;
-  if(!surface.is_mesh() && options.method.empty())
+  if(!surface.is_mesh() && is_single_search(options))
     result = find_cloud_path(make_cloud(surface), options, job);
   else
     visit_surface(surface, [&](const auto& mesh_or_cloud)
@@ -172,6 +192,9 @@ void run_path(Job& job, const Path_options& options)
   if(!job.picture().empty())
   {
     Picture picture{result.surfels.points.empty() ? &surface.file : &result.surfels};
+    picture.values = result.speed;
+    picture.title = "speed";
+    picture.show_isolines = false;
     picture.polylines = {result.points};
     picture.markers = {result.points.front(), result.points.back()};
     picture.thin_polylines = initial_paths;
@@ -203,8 +226,9 @@ void add_path(CLI::App& program)
   command.add("--method", options->method, "NAME",
               "follow the distances of a method: automatic, exact, euclidean, fast-marching, "
               "dijkstra or heat (default: search for a single path, on meshes a shortest one)");
+  add_speed_options(command, options->speed_options);
   command.add_flag("--locally-shortest", options->is_locally_shortest,
-                   "without --method: a locally shortest path, which is found faster");
+                   "without --method and speeds: a locally shortest path, which is found faster");
   add_cloud_path_options(command, options->cloud);
   command.add_flag("--start", options->start,
                    "for clouds, also write and draw the initial path in the surfel graph");

@@ -109,6 +109,15 @@ void check(const Speed_options& options)
         "--strength: this option requires a speed from curvature, colors or an image.");
 }
 
+void check(const Speed_options& options, const std::string& method)
+{
+  check(options);
+  const auto methods = {"automatic", "exact", "euclidean", "fast-marching"};
+  if(options.is_given() && std::find(methods.begin(), methods.end(), method) == methods.end())
+    throw Usage_error("--speed, --density-image: only the methods automatic, exact, euclidean and "
+                      "fast-marching support speeds.");
+}
+
 std::optional<std::size_t> similar_vertex(const Speed_options& options)
 {
   if(options.speed.rfind(similar_prefix, 0) != 0)

@@ -25,6 +25,9 @@ void add_speed_options(Command& command, Speed_options& options);
 // Throws Usage_error if the options are inconsistent.
 void check(const Speed_options& options);
 
+// Throws Usage_error if there is a speed that the method of distances does not support.
+void check(const Speed_options& options, const std::string& method);
+
 // Returns V if the speed is "curvature-like-V".
 std::optional<std::size_t> similar_vertex(const Speed_options& options);
 
