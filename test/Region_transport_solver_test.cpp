@@ -79,6 +79,27 @@ TEST(Region_transport_solver, accepts_boundary_sources)
   EXPECT_NEAR(sum, 1., round_off);
 }
 
+// Triangles at the boundary have obtuse angles, at which hat functions have gradients of the same
+// direction.
+TEST(Region_transport_solver, arrivals_are_not_negative)
+{
+  const Mesh mesh = mesh_of(square(12, 0.3));
+  std::vector<GP::Source<Mesh>> boundary;
+  GP::border_sources(mesh, std::back_inserter(boundary));
+  GP::Region_transport_solver<Mesh> solver(mesh, boundary);
+  for(const Vertex from : {at(6, 6), at(1, 1), at(11, 4), at(3, 10), at(0, 5)})
+  {
+    solver.compute(from);
+    double sum = 0.;
+    for(const Vertex v : vertices(mesh))
+    {
+      EXPECT_GE(solver.arrival(v), 0.);
+      sum += solver.arrival(v);
+    }
+    EXPECT_NEAR(sum, 1., round_off);
+  }
+}
+
 // Returns the cost from vertex 0 to the vertices near a great circle, for any type and size of
 // mesh.
 template <typename AnyMesh>
