@@ -516,8 +516,6 @@ private:
       require_at_most(cost.lower, exact.distance(from), tolerance(cost.upper),
                       "lower bounds also hold for geodesic distances");
     double arrived = 0.;
-    // The solver stops at a gap of 1e-3. A flow that is slightly rotated has a cost of second order
-    // but transports mass of first order to or from a vertex.
     for(std::size_t i = 0; i < size_of(m_surface); ++i)
       require(solver->arrival(vertex_of(m_surface, i)) >= 0., "arriving masses are not negative");
     if constexpr(!is_mesh)
