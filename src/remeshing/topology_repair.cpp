@@ -264,27 +264,40 @@ void add_vertices_of_cells(const Cells& cells, const std::vector<double>& distan
 Cells connected_cells(const Surface_arrays& t, const Sampling& sampling)
 {
   Cells result = flood_cells(t, sampling);
-  std::vector<Index> disconnected;
+  // Each round labels the unlabeled neighbors of the vertices that the previous round labeled, at
+  // the beginning those of all labeled vertices. Labels are applied at the end of a round, so that
+  // the result does not depend on the order of vertices. O(n log n) time for all rounds.
+  std::vector<bool> is_disconnected(t.number_of_vertices(), false);
+  std::vector<std::pair<Index, Index>> found; // vertex and cell
+  const auto find = [&](Index vertex)
+  {
+    if(const Index cell = closest_adjacent_cell(t, sampling.distances(), result.labels, vertex);
+       cell != none)
+      found.emplace_back(vertex, cell);
+  };
   for(const Index vertex : sampling.sampled_vertices())
     if(result.labels[vertex] == none)
-      disconnected.push_back(vertex);
-  // Each round labels the neighbors of labeled vertices only. Its labels are applied at its end.
-  // The result therefore does not depend on the order of vertices.
-  while(!disconnected.empty())
-  {
-    std::vector<std::pair<Index, Index>> found; // vertex and cell
-    std::vector<Index> remaining;
-    for(const Index vertex : disconnected)
     {
-      const Index cell = closest_adjacent_cell(t, sampling.distances(), result.labels, vertex);
-      if(cell == none)
-        remaining.push_back(vertex);
-      else
-        found.emplace_back(vertex, cell);
+      is_disconnected[vertex] = true;
+      find(vertex);
     }
+  while(!found.empty())
+  {
+    std::vector<Index> next;
     for(const auto& [vertex, cell] : found)
+    {
       result.labels[vertex] = cell;
-    disconnected = std::move(remaining);
+      is_disconnected[vertex] = false;
+      for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+        for(const Index corner : {next_halfedge(t.ring[i]), previous_halfedge(t.ring[i])})
+          next.push_back(t.corner[corner]);
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    found.clear();
+    for(const Index vertex : next)
+      if(is_disconnected[vertex])
+        find(vertex);
   }
   return result;
 }
