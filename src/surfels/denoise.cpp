@@ -264,7 +264,10 @@ public:
         m_clusters(build_clusters(cloud, number_of_threads))
   {
     for(int k = 0; k < number_of_scales; ++k)
-      m_squared_radius[k] = std::pow(smallest_radius * std::pow(radius_ratio, k), 2);
+    {
+      const double radius = smallest_radius * std::pow(radius_ratio, k);
+      m_squared_radius[k] = radius * radius;
+    }
   }
 
   // Returns the fit with the smallest variance that is consistent with all fits accepted before it
@@ -338,7 +341,7 @@ public:
       if(!is_noisy(*j))
         continue;
       const double ratio = max_distance > 0. ? norm(m_cloud.point[*j] - point) / max_distance : 0.;
-      const double weight = std::pow(1. - 0.9 * ratio * ratio, 2);
+      const double root = 1. - 0.9 * ratio * ratio, weight = root * root;
       const Surfel moved = frame_of(m_cloud, *j).moved_to_fit(point, fits[*j]);
       sum.point = sum.point + weight * moved.point;
       sum.normal = sum.normal + weight * moved.normal;

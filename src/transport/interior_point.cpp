@@ -228,7 +228,8 @@ public:
     // The flow of a full predictor step moves the masses even if the step leaves the cone, so that
     // it gives an upper bound. This bound often has half the error of the iterate.
     update_upper_bound(flow(1.), outflow(1.));
-    const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
+    const double ratio = mean_gap(predicted) / gap;
+    const double next = gap * std::clamp(ratio * ratio * ratio, 1e-6, 1.);
     return move(correct_centrality(next, correct(next)));
   }
 
