@@ -63,8 +63,8 @@ int main(int argc, char* argv[])
       GP::make_domain(soup.points, soup.triangles, GP::parameters::merge_tolerance(0.));
   const GP::Soup_report& report = domain.report();
   std::cout << report.number_of_merged_points << " of " << soup.points.size()
-            << " points are merged, " << report.number_of_flipped_triangles << " of "
-            << soup.triangles.size() << " triangles are flipped, "
+            << " points are merged, " << report.number_of_reversed_triangles << " of "
+            << soup.triangles.size() << " triangles are reversed, "
             << report.number_of_duplicate_triangles << " are duplicates\n";
 
   // The same distances as on the undamaged mesh, at each of the points.

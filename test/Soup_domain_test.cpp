@@ -110,7 +110,7 @@ TEST(Soup_domain, has_results_of_mesh_in_spite_of_orientation_and_separate_point
     EXPECT_EQ(domain.number_of_vertices(), n);
     EXPECT_EQ(domain.mesh().number_of_vertices(), soup.points.size());
     EXPECT_EQ(domain.report().number_of_merged_points, soup.points.size() - n);
-    EXPECT_GT(domain.report().number_of_flipped_triangles, 0u);
+    EXPECT_GT(domain.report().number_of_reversed_triangles, 0u);
     EXPECT_TRUE(domain.report().is_manifold());
     EXPECT_EQ(domain.report().number_of_boundary_cycles, 0u);
     const auto d = distances<GP::Exact>(domain, soup.points.size(), source);

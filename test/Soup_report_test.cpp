@@ -14,7 +14,7 @@ TEST(Soup_report, is_changed_by_each_repair)
   for(const auto repair :
       {&Soup_report::number_of_merged_points, &Soup_report::number_of_triangulated_polygons,
        &Soup_report::number_of_degenerate_faces, &Soup_report::number_of_duplicate_triangles,
-       &Soup_report::number_of_flipped_triangles, &Soup_report::number_of_split_edges})
+       &Soup_report::number_of_reversed_triangles, &Soup_report::number_of_split_edges})
   {
     Soup_report report;
     report.*repair = 1;

@@ -100,7 +100,7 @@ TEST(distortion, halfedge_and_vertex_maps_agree)
     const auto a = GP::face_distortion(f, mesh, uv), b = GP::face_distortion(f, mesh, corners);
     EXPECT_EQ(a.sigma_1, b.sigma_1);
     EXPECT_EQ(a.sigma_2, b.sigma_2);
-    EXPECT_EQ(a.is_folded, b.is_folded);
+    EXPECT_EQ(a.is_inverted, b.is_inverted);
   }
 }
 
@@ -117,7 +117,7 @@ TEST(distortion, skips_faces_without_finite_image)
   EXPECT_NEAR(all.mean(), 2., round_off);
   EXPECT_NEAR(all.worst, 2., round_off);
   EXPECT_EQ(all.number_of_triangles, 32u);
-  EXPECT_EQ(all.number_of_folded_triangles, 0u);
+  EXPECT_EQ(all.number_of_flips, 0u);
   uv[Vertex(0)] = {std::numeric_limits<double>::quiet_NaN(), 0.};
   EXPECT_LT(GP::surface_distortion(mesh, uv, &GP::Face_distortion::mips).number_of_triangles, 32u);
 }
@@ -164,7 +164,7 @@ TEST(distortion, domain_gives_the_values_of_its_mesh)
       const auto expected = GP::face_distortion(f, mesh, uv);
       expect_equal(found.sigma_1, expected.sigma_1);
       expect_equal(found.area, expected.area);
-      EXPECT_EQ(found.is_folded, expected.is_folded);
+      EXPECT_EQ(found.is_inverted, expected.is_inverted);
     }
   const auto of_mesh = GP::surface_distortion(mesh, corners, &GP::Face_distortion::symmetric_mips),
              of_domain = GP::surface_distortion(domain, uv, &GP::Face_distortion::symmetric_mips);
@@ -198,7 +198,7 @@ TEST(distortion, distortion_of_cloud_follows_closed_form)
     EXPECT_LT(error, strip / GP::internal::pi * 0.7); // the mean in the strip is at most 2
     EXPECT_LT(error, 0.6 * last_error);               // about half
     last_error = error;
-    EXPECT_EQ(found.number_of_folded_triangles, 0u);
+    EXPECT_EQ(found.number_of_flips, 0u);
     EXPECT_LE(found.worst, 2.);
     EXPECT_GT(std::hypot(uv[found.worst_location.surfel][0], uv[found.worst_location.surfel][1]),
               0.8); // near the boundary, at sin(pi / 3)

@@ -36,7 +36,7 @@ double error_on_sphere(unsigned level)
   if(!std::is_same_v<Method, GP::Discrete_exponential>)
   {
     EXPECT_EQ(map.number_of_cut_faces(), 0u);
-    EXPECT_EQ(map.number_of_folded_faces(), 0u);
+    EXPECT_EQ(map.number_of_flips(), 0u);
   }
   return mean_error_on_sphere(map, [&](Vertex v) { return mesh.point(v); });
 }

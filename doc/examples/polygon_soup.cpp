@@ -45,7 +45,8 @@ int main()
   const auto domain = GP::make_domain(points, polygons, GP::parameters::merge_tolerance(0.));
   const GP::Soup_report& report = domain.report();
   std::cout << report.number_of_merged_points << " points were merged, "
-            << report.number_of_flipped_triangles << " triangles were flipped, and the surface was "
+            << report.number_of_reversed_triangles
+            << " triangles were reversed, and the surface was "
             << "split at " << report.number_of_split_edges << " edges\n";
 
   // Vertex i of the mesh of the domain is point i.

@@ -191,7 +191,7 @@ Log_map_defects find_map_defects(const Surface_arrays& t, const std::vector<Inde
       if(is_cut_triangle)
         result.cut_triangles.push_back(triangle);
       else if(cross(image[1] - image[0], image[2] - image[0]) < 0.)
-        ++result.number_of_folded;
+        ++result.number_of_flips;
     }
   return result;
 }

@@ -56,7 +56,7 @@ std::vector<bool> choose_flips(const std::vector<Index>& corners, std::vector<In
     if(flip_all)
       for(const Index f : component)
         flip[f] = !flip[f];
-    report.number_of_flipped_triangles += flip_all ? component.size() - flipped : flipped;
+    report.number_of_reversed_triangles += flip_all ? component.size() - flipped : flipped;
   }
   return flip;
 }
@@ -124,7 +124,7 @@ std::vector<Index> orient_triangles(std::vector<Index>& corners, std::vector<Ind
                                     Soup_report& report)
 {
   const std::vector<bool> flip = choose_flips(corners, opposites, report);
-  if(report.number_of_flipped_triangles == 0)
+  if(report.number_of_reversed_triangles == 0)
     return opposites;
 
   // Swapping the last two corners swaps the first and the last halfedge.

@@ -134,7 +134,7 @@ TEST_F(Program, logmap_writes_normal_coordinates)
                                     "m.txt -o m.vtp --method " +
                                     std::string(method));
     EXPECT_EQ(map["cut"], 0);
-    EXPECT_EQ(map["folded_faces"], 0);
+    EXPECT_EQ(map["flips"], 0);
     const std::vector<double> uv = numbers("m.txt");
     ASSERT_EQ(uv.size(), 162u);
     std::size_t inside = 0;

@@ -33,7 +33,7 @@ TEST(Repair, keeps_vertices_and_replaces_polygons_by_triangles)
   EXPECT_TRUE(surface.is_repaired);
   EXPECT_EQ(surface.file.points, points);
   EXPECT_EQ(surface.file.polygon_begin, (std::vector<std::size_t>{0, 3, 6, 9}));
-  EXPECT_EQ(surface.domain->report().number_of_flipped_triangles, 1u);
+  EXPECT_EQ(surface.domain->report().number_of_reversed_triangles, 1u);
   // The corners are those of the mesh.
   const program::Mesh& mesh = surface.domain->mesh();
   for(const auto face : mesh.faces())

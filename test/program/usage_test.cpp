@@ -184,7 +184,7 @@ TEST_F(Program, json_has_documented_keys)
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "lower", "points"});
   expect_keys("path cloud.xyz --from 0 --to 143",
               {"length", "front_distance", "lower", "points", "start_length"});
-  expect_keys("logmap square.ply --base 40", {"values", "cut", "folded_faces"});
+  expect_keys("logmap square.ply --base 40", {"values", "cut", "flips"});
   expect_keys("decal square.ply --base 40", {"covered"});
   for(const char* file : {"square.ply", "cloud.xyz"})
     expect_keys(std::string("flatten ") + file,

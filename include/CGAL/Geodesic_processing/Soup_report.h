@@ -26,7 +26,7 @@ struct Soup_report
   /// Triangles without area in double precision that remain
   std::size_t number_of_triangles_without_area = 0;
   /// Triangles whose orientation was reversed
-  std::size_t number_of_flipped_triangles = 0;
+  std::size_t number_of_reversed_triangles = 0;
   /// Edges at which the surface was split: those of three or more triangles, and those in which a
   /// nonorientable surface meets itself
   std::size_t number_of_split_edges = 0;
@@ -44,7 +44,7 @@ struct Soup_report
   {
     return number_of_merged_points > 0 || number_of_triangulated_polygons > 0 ||
            number_of_degenerate_faces > 0 || number_of_duplicate_triangles > 0 ||
-           number_of_flipped_triangles > 0 || number_of_split_edges > 0;
+           number_of_reversed_triangles > 0 || number_of_split_edges > 0;
   }
   /// Returns whether the surface is a manifold without a split. O(1).
   bool is_manifold() const

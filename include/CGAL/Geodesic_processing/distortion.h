@@ -28,10 +28,10 @@ namespace CGAL::Geodesic_processing {
 /// face. All members take O(1) time.
 struct Face_distortion
 {
-  double sigma_1 = 1.;    ///< the larger singular value; infinite if the image has no area
-  double sigma_2 = 1.;    ///< the smaller singular value; infinite if the image has no area
-  bool is_folded = false; ///< true if the image is clockwise (inverted)
-  double area = 0.;       ///< the area of the face on the surface
+  double sigma_1 = 1.;      ///< the larger singular value; infinite if the image has no area
+  double sigma_2 = 1.;      ///< the smaller singular value; infinite if the image has no area
+  bool is_inverted = false; ///< true if the image is clockwise (inverted)
+  double area = 0.;         ///< the area of the face on the surface
 
   /// \name Measures
   /// Distortion measures of the literature.
@@ -207,9 +207,9 @@ struct Surface_distortion
   double integral = 0.; ///< the integral of the measure over the area of the triangles
   double area = 0.;     ///< the total area of these triangles
   double worst = 0.;    ///< the largest value of the measure
-  Location<Surface> worst_location{};         ///< the center of a triangle with this value
-  std::size_t number_of_triangles = 0;        ///< triangles that have an image
-  std::size_t number_of_folded_triangles = 0; ///< triangles whose image is clockwise (inverted)
+  Location<Surface> worst_location{};  ///< the center of a triangle with this value
+  std::size_t number_of_triangles = 0; ///< triangles that have an image
+  std::size_t number_of_flips = 0;     ///< triangles whose image is clockwise (inverted)
 
   /// Returns the mean of the measure, weighted by area. O(1).
   double mean() const { return integral / area; }
@@ -257,7 +257,7 @@ surface_distortion(const Surface& surface, UVMap uv_map, Measure measure,
       result.worst = value;
       result.worst_location = domain.outer({f, internal::none, {1. / 3., 1. / 3., 1. / 3.}});
     }
-    result.number_of_folded_triangles += distortion.is_folded;
+    result.number_of_flips += distortion.is_inverted;
   }
   return result;
 }
@@ -333,7 +333,7 @@ Flattening_distortion flattening_distortion(const Surface& surface, UVMap uv_map
       [&](Face_distortion face)
       {
         ++result.number_of_triangles;
-        result.number_of_flips += face.is_folded || std::isinf(face.sigma_1);
+        result.number_of_flips += face.is_inverted || std::isinf(face.sigma_1);
         face.sigma_1 *= scale;
         face.sigma_2 *= scale;
         const double area_fraction = face.area / area;

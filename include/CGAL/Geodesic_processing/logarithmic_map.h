@@ -213,7 +213,7 @@ public:
   /// injective.
   std::size_t number_of_cut_faces() const { return m_defects.cut_triangles.size(); }
   /// Returns the number of inverted faces among the faces that are not cut.
-  std::size_t number_of_folded_faces() const { return m_defects.number_of_folded; }
+  std::size_t number_of_flips() const { return m_defects.number_of_flips; }
   /// Calls `f(face)` for each face that is cut. It requires a mesh. Takes linear time in the
   /// number of cut faces.
   /// \tparam Function a function object

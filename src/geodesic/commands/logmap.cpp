@@ -29,7 +29,7 @@ struct Logmap_result
 {
   std::vector<std::array<double, 2>> uv; // #vertices, NaN outside of the map
   Point base, normal;
-  std::size_t reached = 0, cut = 0, folded = 0;
+  std::size_t reached = 0, cut = 0, flips = 0;
   std::vector<std::size_t> cut_faces; // of a mesh
 };
 
@@ -62,7 +62,7 @@ Logmap_result compute_map(const Domain& domain, const Log_kind& kind, const Logm
   result.cut = map.number_of_cut_faces();
   if constexpr(is_mesh<Surface_type>)
     map.for_each_cut_face([&](Mesh::Face_index face) { result.cut_faces.push_back(face); });
-  result.folded = map.number_of_folded_faces();
+  result.flips = map.number_of_flips();
   return result;
 }
 
@@ -164,10 +164,10 @@ void run_logmap(Job& job, const Logmap_options& options)
                 [&](const auto& mesh_or_cloud) { result = find_map(mesh_or_cloud, options, job); });
   job.result()["values"] = result.reached;
   job.result()["cut"] = result.cut;
-  job.result()["folded_faces"] = result.folded;
+  job.result()["flips"] = result.flips;
   job.print_line("reached         " + std::to_string(result.reached) + " vertices");
   job.print_line("cut             " + std::to_string(result.cut) + " faces");
-  job.print_line("folded          " + std::to_string(result.folded) + " faces");
+  job.print_line("flips           " + std::to_string(result.flips));
 
   job.begin_stage("write");
   job.write_values(

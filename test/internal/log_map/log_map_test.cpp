@@ -143,20 +143,20 @@ TEST(log_map, counts_cut_and_folded_triangles)
   std::vector<Index> reached(t.number_of_vertices());
   std::iota(reached.begin(), reached.end(), Index(0));
   EXPECT_TRUE(find_map_defects(t, reached, coordinates).cut_triangles.empty());
-  EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_folded, 0u);
+  EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_flips, 0u);
   for(Vec2& u : coordinates)
     u[0] = -u[0];
-  EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_folded, 18u);
+  EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_flips, 18u);
   // Cut the six triangles at an interior vertex by moving its image far away.
   Index inner = 0;
   while(t.ring_begin[inner + 1] - t.ring_begin[inner] != 6)
     ++inner;
   coordinates[inner] = {100., 0.};
   EXPECT_EQ(find_map_defects(t, reached, coordinates).cut_triangles.size(), 6u);
-  EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_folded, 12u);
+  EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_flips, 12u);
   coordinates[inner][0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(find_map_defects(t, reached, coordinates).cut_triangles.empty());
-  EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_folded, 12u);
+  EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_flips, 12u);
 }
 
 } // namespace log_map_test

@@ -21,7 +21,7 @@ TEST(Orient_triangles, flips_minority)
   const std::vector<Index> opposites = {9, 6, 5, 10, 8, 2, 1, 11, 4, 0, 3, 7};
   Soup_report report;
   const std::vector<Index> twins = orient_triangles(corners, opposites, report);
-  EXPECT_EQ(report.number_of_flipped_triangles, 1u);
+  EXPECT_EQ(report.number_of_reversed_triangles, 1u);
   EXPECT_EQ(report.number_of_split_edges, 0u);
   EXPECT_EQ(report.number_of_components, 1u);
   EXPECT_EQ(corners, (std::vector<Index>{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}));

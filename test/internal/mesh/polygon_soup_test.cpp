@@ -165,7 +165,7 @@ TEST(Repair_soup, merges_equal_points_at_any_scale)
     EXPECT_EQ(result.report.number_of_merged_points, 8u);
     EXPECT_EQ(result.report.number_of_components, 1u);
     EXPECT_EQ(result.report.number_of_boundary_cycles, 0u);
-    EXPECT_EQ(result.report.number_of_flipped_triangles, 0u);
+    EXPECT_EQ(result.report.number_of_reversed_triangles, 0u);
   }
 }
 

@@ -85,7 +85,7 @@ Vec2 transported_step(const Tangent_plane& plane, const Vec3& normal, const Vec3
 struct Log_map_defects
 {
   std::vector<Index> cut_triangles; // triangles with an edge that is cut, see is_cut()
-  std::size_t number_of_folded = 0; // number of all other triangles with negative orientation
+  std::size_t number_of_flips = 0;  // number of all other triangles with negative orientation
 };
 
 // Returns whether a map is discontinuous along an edge: the images of its endpoints are farther
