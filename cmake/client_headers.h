@@ -14,7 +14,8 @@
 #include <iostream>
 
 // The precompiled header of the program's commands, demo programs and examples. They use the kernel
-// Simple_cartesian<double>: parsing the headers of kernels with exact predicates takes twice as long.
+// Simple_cartesian<double>: parsing the headers of kernels with exact predicates takes twice as
+// long.
 
 namespace CGAL {
 

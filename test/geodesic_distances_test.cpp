@@ -178,8 +178,33 @@ TEST(Geodesic_distances, accept_vertex_and_face_speeds)
     EXPECT_EQ(scaled_distance[v], original[v]);
 }
 
-// Vertices and faces both convert to the keys of a map of a vector. A closed mesh has about twice as
-// many faces as vertices.
+// Vertices and faces both convert to the keys of a map of a vector. A closed mesh has about twice
+// as many faces as vertices.
+// A speed of 1 everywhere is no speed, also for fronts that differ from those with speeds.
+TEST(Geodesic_distances, ignore_speed_of_one)
+{
+  Mesh mesh = mesh_of(jittered(icosphere(3), 0.1));
+  auto expected = vertex_map(mesh), found = vertex_map(mesh);
+  const std::vector<double> ones(mesh.number_of_faces(), 1.);
+  GP::geodesic_distances<GP::Euclidean_front>(mesh, Vertex(3), expected);
+  GP::geodesic_distances<GP::Euclidean_front>(
+      mesh, Vertex(3), found, GP::parameters::speed_map(CGAL::make_property_map(ones)));
+  EXPECT_EQ(values(mesh, found), values(mesh, expected));
+  GP::geodesic_distances<GP::Euclidean_front>(
+      mesh, Vertex(3), found, GP::parameters::face_speed_map(CGAL::make_property_map(ones)));
+  EXPECT_EQ(values(mesh, found), values(mesh, expected));
+
+  const Surfels surfels = sphere_surfels(4);
+  const auto domain = GP::make_domain(
+      surfels, GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
+  std::vector<double> expected_on_cloud(surfels.size()), found_on_cloud(surfels.size());
+  const std::vector<double> surfel_ones(surfels.size(), 1.);
+  GP::geodesic_distances(domain, std::size_t(3), CGAL::make_property_map(expected_on_cloud));
+  GP::geodesic_distances(domain, std::size_t(3), CGAL::make_property_map(found_on_cloud),
+                         GP::parameters::speed_map(CGAL::make_property_map(surfel_ones)));
+  EXPECT_EQ(found_on_cloud, expected_on_cloud);
+}
+
 TEST(Geodesic_distances, read_speeds_from_vectors)
 {
   Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
@@ -323,7 +348,7 @@ TEST(Geodesic_distances, throw_on_invalid_input)
                  GP::Invalid_argument_error);
     mesh.remove_property_map(speed);
   }
-  auto speed = mesh.add_property_map<Vertex, double>("v:speed", 1.).first;
+  auto speed = mesh.add_property_map<Vertex, double>("v:speed", 2.).first;
   EXPECT_THROW(
       GP::geodesic_distances<GP::Heat>(mesh, Vertex(0), map, GP::parameters::speed_map(speed)),
       GP::Unsupported_surface_error);

@@ -4,6 +4,7 @@
 // supported_surfaces.cpp contains the calls that is_supported_v admits.
 #include <CGAL/Geodesic_processing/is_supported.h>
 
+#include <CGAL/Geodesic_processing/Soup_domain.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/Point_set_3.h>
@@ -15,6 +16,7 @@
 #include <cctype>
 #include <fstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace is_supported_test {
@@ -35,6 +37,12 @@ TEST(is_supported, domain_is_supported_as_its_surface)
   static_assert(GP::is_supported_v<Function::Surfel_path_finder, Point_set>);
   EXPECT_TRUE((GP::is_supported_v<Function::geodesic_path, Surfels>));
 }
+
+// The type of a variable can be const.
+static_assert(std::is_same_v<GP::Surface_of<const GP::Mesh_domain<Mesh>>, Mesh>);
+static_assert(std::is_same_v<GP::Surface_of<const GP::Surfel_domain<Surfels>>, Surfels>);
+static_assert(std::is_same_v<GP::Surface_of<const GP::Soup_domain<Kernel::Point_3>>, Mesh>);
+static_assert(std::is_same_v<GP::Surface_of<const Mesh>, Mesh>);
 
 // Returns the row of a function in the table of the manual.
 std::string row(const std::string& name, const std::string& on_meshes, const std::string& on_clouds)

@@ -288,7 +288,8 @@ TEST(logarithmic_map, frame_of_location_of_cloud_is_on_triangles)
     const Vector_3 offset = map.frame().origin - map.domain().point(base);
     const Vector_3 normal = get(Surfel_normal_map(), surfels[surfel]);
     // The triangles are at most d^2/8 below the unit sphere if d is their longest edge, and the
-    // tangent plane is 0.5 * 0.0094^2 = 4.5e-5 above it. Tangential components are round-off errors.
+    // tangent plane is 0.5 * 0.0094^2 = 4.5e-5 above it. Tangential components are round-off
+    // errors.
     EXPECT_LT(offset * normal, 0.);
     EXPECT_GT(offset * normal, -0.05 * 0.05 / 8. - 4.5e-5);
     EXPECT_LT(CGAL::cross_product(offset, normal).squared_length(), 1e-28);

@@ -14,8 +14,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns 1 if the triangle p, q, r is counterclockwise, -1 if it is clockwise and 0 if the points are
-// collinear.
+// Returns 1 if the triangle p, q, r is counterclockwise, -1 if it is clockwise and 0 if the points
+// are collinear.
 CGAL_GEODESIC_PROCESSING_EXPORT
 int orientation(const Vec2& p, const Vec2& q, const Vec2& r);
 

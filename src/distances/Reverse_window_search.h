@@ -23,8 +23,8 @@ public:
 
   // Returns the end of the shortest path; its distance is infinite if there is none.
   const Meeting& find_shortest(const Window_state& forward, const Surface_location& from);
-  // Returns the end of a path to a point source that is shorter than `max_length`; if there is none,
-  // only the distance is set, to `max_length`. See Window_goal::find_between().
+  // Returns the end of a path to a point source that is shorter than `max_length`; if there is
+  // none, only the distance is set, to `max_length`. See Window_goal::find_between().
   const Meeting& find_between(const Window_state& initialized, const Surface_location& source,
                               const Surface_location& from, double max_length);
   // Finds the ends of all paths of at most this length.

@@ -69,8 +69,8 @@ bool is_along(const Surface_arrays& t, const std::vector<Surface_location>& path
   return std::all_of(path.begin(), path.end(), is_close);
 }
 
-// Appends the path of a meeting, from the start of the reverse search to the source, and returns its
-// length.
+// Appends the path of a meeting, from the start of the reverse search to the source, and returns
+// its length.
 double append_meeting(const Window_state& reverse, const Window_state& forward,
                       const Meeting& meeting, std::vector<Surface_location>& path)
 {

@@ -350,8 +350,8 @@ void Window_propagator::merge_similar_windows(Index h)
   windows.resize(last + 1);
 }
 
-// Drops the parts of windows that are dominated by windows that have crossed this halfedge before, and
-// stores the others.
+// Drops the parts of windows that are dominated by windows that have crossed this halfedge before,
+// and stores the others.
 void Window_propagator::drop_dominated(Index h)
 {
   std::vector<Window>&crossing = m_state.windows, &known = m_state.known_windows[h];

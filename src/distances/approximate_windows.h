@@ -111,8 +111,10 @@ inline bool merge_similar(const Window& a, Window& b, double tolerance, double m
        result.distance(a.end) <= a_end * round_off &&
        result.distance(b.begin) <= b_begin * round_off))
     return false;
+  // Differences are negative by round-off errors if the windows have the same source. A window with
+  // a negative error would be a straight front.
   const double error =
-      std::max(max_difference(a, result) + a.error(), max_difference(b, result) + b.error());
+      std::max({0., max_difference(a, result) + a.error(), max_difference(b, result) + b.error()});
   if(!(error <= tolerance * result.distance(std::clamp(result.source[0], a.begin, b.end))))
     return false;
   b = result;

@@ -13,8 +13,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Obstacles are triangles with infinite slowness.
 
-// Returns the slowness outside of the obstacles if it is the same everywhere, up to round-off errors;
-// 1 if there are only obstacles.
+// Returns the slowness outside of the obstacles if it is the same everywhere, up to round-off
+// errors; 1 if there are only obstacles.
 //
 // slowness: #triangles, positive
 CGAL_GEODESIC_PROCESSING_EXPORT

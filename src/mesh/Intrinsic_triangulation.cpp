@@ -19,8 +19,8 @@ namespace {
 // Edges are flipped if the opposite angles sum to more than pi by this angle. Fronts are inaccurate
 // on needles and caps, not on triangles that are nearly Delaunay. On 47 scans, patches and CAD
 // models with 10 sources, no mean or largest error is more than 2 % larger than without flips. With
-// 10 degrees, the mean error is 7 % larger on one of them; with 20, the largest one is 33 % larger on
-// another.
+// 10 degrees, the mean error is 7 % larger on one of them; with 20, the largest one is 33 % larger
+// on another.
 constexpr double usual_flip_tolerance = 18. * pi / 180.;
 // The tolerance on meshes with large triangles. On 610 public meshes, mostly CAD models, the
 // largest error was at most 5 % on 581; with 15 degrees on 579, and with 20 on 576.

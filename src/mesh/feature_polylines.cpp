@@ -25,8 +25,8 @@ struct Directed_edge
   bool is_reversed = false;
 };
 
-// Consecutive samples of a polyline coincide if they are closer than the first fraction of a step. One
-// of them is then moved along the polyline by the second fraction.
+// Consecutive samples of a polyline coincide if they are closer than the first fraction of a step.
+// One of them is then moved along the polyline by the second fraction.
 constexpr double coincidence_ratio = 1e-3, separation_ratio = 0.25;
 
 class Feature_polylines
@@ -157,8 +157,8 @@ private:
     }
   }
 
-  // Computes the turning angles and the arc lengths of the chain. A closed chain is rotated to begin
-  // at the largest angle.
+  // Computes the turning angles and the arc lengths of the chain. A closed chain is rotated to
+  // begin at the largest angle.
   void parameterize_chain(bool is_loop)
   {
     const std::size_t n = m_chain.size();

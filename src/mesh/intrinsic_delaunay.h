@@ -31,8 +31,8 @@ struct Edge_flip
   double on_diagonal;   // the same on cd: 0 at c, 1 at d
 };
 
-// Flips edges of a mesh until opposite angles sum to at most pi plus `tolerance`, which is less than
-// pi / 2. With the default, the mesh is then intrinsic Delaunay, and no cotangent weight is
+// Flips edges of a mesh until opposite angles sum to at most pi plus `tolerance`, which is less
+// than pi / 2. With the default, the mesh is then intrinsic Delaunay, and no cotangent weight is
 // negative. Changes corners, twins and lengths; the rings become invalid. Edges that have the same
 // triangle at both halfedges are not flipped. Returns the flips in their order.
 //

@@ -19,8 +19,8 @@ struct Eigen_system
   Eigen::MatrixXd vectors; // orthonormal columns, in the same order
 };
 
-// Returns the eigenvalues and eigenvectors of a symmetric matrix, of which only the lower triangle is
-// read.
+// Returns the eigenvalues and eigenvectors of a symmetric matrix, of which only the lower triangle
+// is read.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen_system eigen_system(const Eigen::MatrixXd& matrix);
 

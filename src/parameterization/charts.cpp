@@ -32,9 +32,9 @@ constexpr std::size_t number_of_base_points = 24, number_of_neighbors = 8;
 // Up to this number of vertices, Tutte's map is a good enough initial map.
 constexpr std::size_t max_vertices_for_tutte = 100;
 
-// Mean energies above which a chart is split: those of maps that scale all lengths by 2 or 1/2, and by
-// 7 or 1/7. The latter is for charts of few vertices, whose splits are visible. Almost closed charts
-// have no better map.
+// Mean energies above which a chart is split: those of maps that scale all lengths by 2 or 1/2, and
+// by 7 or 1/7. The latter is for charts of few vertices, whose splits are visible. Almost closed
+// charts have no better map.
 constexpr double max_mean_energy = 8.5, max_mean_energy_of_few = 100.;
 
 void sort_unique(std::vector<Index>& values)

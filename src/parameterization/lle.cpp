@@ -92,8 +92,8 @@ bool is_connected(const Base_points& base, std::size_t neighbors)
   return number_of_groups == 1;
 }
 
-// Returns the smallest number of neighbors, at least `neighbors`, for which the graph of neighbors is
-// connected, or zero if it exceeds the length of the lists.
+// Returns the smallest number of neighbors, at least `neighbors`, for which the graph of neighbors
+// is connected, or zero if it exceeds the length of the lists.
 std::size_t connecting_number(const Base_points& base, std::size_t neighbors)
 {
   // Fewer base points have no more neighbors than all others.

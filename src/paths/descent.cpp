@@ -349,8 +349,8 @@ struct Descent::Tracer
     return false;
   }
 
-  // Returns the corner vertex with the smallest sum of its value and its distance from the location,
-  // or `none` if all values are infinite.
+  // Returns the corner vertex with the smallest sum of its value and its distance from the
+  // location, or `none` if all values are infinite.
   Index closest_finite_corner(const Surface_location& from) const
   {
     double best = infinity;

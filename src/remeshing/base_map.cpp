@@ -258,8 +258,8 @@ private:
 
   using Edge_table = std::vector<std::pair<double, double>>;
 
-  // Computes the heron coordinates of the interior vertices (Peyré and Cohen 2003, section 4.2). The
-  // deviation from the arc length parameterization on each edge is interpolated and subtracted.
+  // Computes the heron coordinates of the interior vertices (Peyré and Cohen 2003, section 4.2).
+  // The deviation from the arc length parameterization on each edge is interpolated and subtracted.
   void heron(Index region)
   {
     const std::vector<Barycentric> raw = area_coordinates(region);
@@ -320,7 +320,8 @@ private:
     return result;
   }
 
-  // Returns for each edge the sorted pairs of the parameter from areas and the arc length parameter.
+  // Returns for each edge the sorted pairs of the parameter from areas and the arc length
+  // parameter.
   std::array<Edge_table, 3> edge_tables(const std::vector<Barycentric>& raw) const
   {
     std::array<Edge_table, 3> table;

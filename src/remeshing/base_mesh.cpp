@@ -324,8 +324,9 @@ private:
     }
   }
 
-  // If several edges connect the same two vertices, splits those that are not labeled, except one. A
-  // map that is linear in each triangle would map them, and all that they enclose, onto a segment.
+  // If several edges connect the same two vertices, splits those that are not labeled, except one.
+  // A map that is linear in each triangle would map them, and all that they enclose, onto a
+  // segment.
   void split_duplicate_edges()
   {
     using Ends = std::pair<Index, Index>;

@@ -60,8 +60,8 @@ constexpr int max_intersection_rounds = 10;
 // their distance is halved.
 constexpr int max_refinements = 20;
 // These rounds end if there are at least that many vertices, and four times as many as before the
-// first round. Otherwise two triangles without area have 10^5 vertices after five rounds: the distance
-// between their boundary edges is zero, so that vertices between them do not help.
+// first round. Otherwise two triangles without area have 10^5 vertices after five rounds: the
+// distance between their boundary edges is zero, so that vertices between them do not help.
 constexpr std::size_t max_repaired_vertices = 20000, max_repaired_vertices_ratio = 4;
 
 // Rounds in which samples are added to invalid cells. In the first ones, each invalid cell gets one
@@ -361,8 +361,8 @@ private:
   }
 
   // Splits the edges of all triangles at the given cells. Needed if all vertices of these cells are
-  // samples, and their dual is still no surface, because two edges have the same end vertices or two
-  // feature edges are close to each other.
+  // samples, and their dual is still no surface, because two edges have the same end vertices or
+  // two feature edges are close to each other.
   void refine_unresolved(const Cells& cells, const std::vector<Index>& unresolved)
   {
     std::vector<bool> is_unresolved(cells.samples.size(), false),

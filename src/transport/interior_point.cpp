@@ -15,8 +15,8 @@ namespace {
 // A solution of a linear system is accepted if the sum of its residuals is at most this fraction of
 // the moved mass. Without needles, the residual after one back substitution is about 1e-13.
 constexpr double max_residual = 1e-7;
-// Conjugate gradients end after this number of steps that do not halve the residual. There, round-off
-// errors of the potential limit the residual.
+// Conjugate gradients end after this number of steps that do not halve the residual. There,
+// round-off errors of the potential limit the residual.
 constexpr unsigned max_slow_steps = 6;
 
 // A vector of the space of the second-order cone scalar >= |vector|.
@@ -357,7 +357,8 @@ private:
   }
 
   // Computes the potential step and its gradient. If there are needles, the factorization is
-  // inaccurate, and conjugate gradients reduce the residual. The factorization is the preconditioner.
+  // inaccurate, and conjugate gradients reduce the residual. The factorization is the
+  // preconditioner.
   void solve(const Vector& rhs)
   {
     Vector potential = m_solver.solve(rhs), direction = Vector::Zero(rhs.size());

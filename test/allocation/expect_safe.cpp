@@ -71,9 +71,9 @@ namespace allocation_test {
 
 namespace {
 
-// Returns the next allocation that fails: each of the first 500, and then one in 50 or more, because
-// the time of a test is the number of failures times the time of a query. The last allocation always
-// fails.
+// Returns the next allocation that fails: each of the first 500, and then one in 50 or more,
+// because the time of a test is the number of failures times the time of a query. The last
+// allocation always fails.
 long next_position(long position, long last)
 {
   const long step = position < 500 ? 1 : position / 10;

@@ -10,10 +10,10 @@ namespace allocation_test {
 
 using Values = std::vector<double>;
 
-// Runs a query many times; each time another allocation fails, in any thread. Expects that the query
-// throws std::bad_alloc, or has the result of an undisturbed query if it can do without the memory.
-// After each failure, the query is repeated and must have this result, and the number of allocated
-// blocks must be the same as before.
+// Runs a query many times; each time another allocation fails, in any thread. Expects that the
+// query throws std::bad_alloc, or has the result of an undisturbed query if it can do without the
+// memory. After each failure, the query is repeated and must have this result, and the number of
+// allocated blocks must be the same as before.
 //
 // Allocations are those of this program, of static libraries and of CHOLMOD, and those by operator
 // new. Allocations by malloc in other shared libraries do not fail.

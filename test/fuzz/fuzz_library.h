@@ -486,8 +486,8 @@ Scale scale_of(const Surface& surface)
   return scale;
 }
 
-// Returns whether a triangle is a needle or a cap whose height is below 1e-7 of its longest edge, so
-// that half of the digits are lost. The triangles of a cloud are unknown.
+// Returns whether a triangle is a needle or a cap whose height is below 1e-7 of its longest edge,
+// so that half of the digits are lost. The triangles of a cloud are unknown.
 inline bool has_needles(const Mesh& mesh)
 {
   for(const auto f : mesh.faces())
@@ -578,8 +578,8 @@ void require_valid_path(const Domain& domain, const Path& path, double tolerance
   require_near(path.length, length, tolerance, "the length is that of the polyline");
 }
 
-// Runs Test<Cloud> on a random cloud for one of `period` inputs, otherwise Test<Mesh> on the mesh of
-// a random soup. `domain_of` returns the domain of a soup.
+// Runs Test<Cloud> on a random cloud for one of `period` inputs, otherwise Test<Mesh> on the mesh
+// of a random soup. `domain_of` returns the domain of a soup.
 template <template <typename> class Test, typename Domain_of>
 void run_on_random_surface(Bytes& in, std::size_t period, std::size_t max_surfels,
                            std::size_t max_triangles, const Domain_of& domain_of)

@@ -118,8 +118,8 @@ double number_of_isolated_vertices(const Input& input)
   return double(std::count(is_isolated.begin(), is_isolated.end(), true));
 }
 
-// Returns the length that the library gives to shorter edges: 2^-36 of a unit, which is at most half of
-// the longest edge of the bounding box.
+// Returns the length that the library gives to shorter edges: 2^-36 of a unit, which is at most
+// half of the longest edge of the bounding box.
 double min_edge_length(const std::vector<Point>& points)
 {
   double extent = 0.;
@@ -132,8 +132,8 @@ double min_edge_length(const std::vector<Point>& points)
   return 0x1p-36 * 0.5 * extent;
 }
 
-// Returns the length of a shortest path along edges from vertex 0 to each vertex. Distances are exact
-// for edges with the minimum length of the library, so edges have at least that length here.
+// Returns the length of a shortest path along edges from vertex 0 to each vertex. Distances are
+// exact for edges with the minimum length of the library, so edges have at least that length here.
 std::vector<double> dijkstra(const Input& input)
 {
   const double min_length = min_edge_length(input.points);
@@ -271,8 +271,8 @@ std::optional<std::vector<std::array<Point, 3>>> surface_triangles(Results& resu
   return triangles;
 }
 
-// Returns a bound of what the library subtracts from lower bounds because of thin triangles, where c
-// is the longest edge, and d the excess of the sum of the others:
+// Returns a bound of what the library subtracts from lower bounds because of thin triangles, where
+// c is the longest edge, and d the excess of the sum of the others:
 // - It lengthens the edges of triangles without area. The height above c is then at most
 //   sqrt(c d / 2 + d^2 / 4), and a path crosses each triangle at most once. It subtracts the height
 //   if d < 1e-14 c. Round-off errors of the lengths change d by a few 1e-16 c, so triangles up to
@@ -533,11 +533,11 @@ double squared_longest_edge(const Textured_mesh& mesh, const std::array<std::siz
 // Returns the images of the faces. The areas of the faces and of their images agree with the JSON,
 // and all charts have nearly the same scale.
 //
-// The mean of the symmetric Dirichlet energy of a chart is at most 8.5, or 100 if it has at most 100
-// vertices. The energy of a face is at least 2 (d + 1 / d), where d is the factor of its area.
-// Therefore the factor of the area of a chart, which is the mean of d, is at most half of the maximum
-// energy, and at least the reciprocal of that. The energy is computed with a minimum height of the
-// faces, so the areas are too.
+// The mean of the symmetric Dirichlet energy of a chart is at most 8.5, or 100 if it has at most
+// 100 vertices. The energy of a face is at least 2 (d + 1 / d), where d is the factor of its area.
+// Therefore the factor of the area of a chart, which is the mean of d, is at most half of the
+// maximum energy, and at least the reciprocal of that. The energy is computed with a minimum height
+// of the faces, so the areas are too.
 std::vector<Triangle_2> check_areas(Results& results, const Textured_mesh& mesh)
 {
   double area = 0., coverage = 0., products = 0.;

@@ -289,8 +289,8 @@ TEST_F(Check_results, degenerate_triangles_decrease_the_lower_bound_of_a_path)
   }
 }
 
-// Vertex 3 is at the point of vertex 0. The edge between them has the minimum length of the library,
-// 2^-36 of half of the extent, which is 1.46e-11.
+// Vertex 3 is at the point of vertex 0. The edge between them has the minimum length of the
+// library, 2^-36 of half of the extent, which is 1.46e-11.
 TEST_F(Check_results, edges_of_length_zero_have_a_minimum_length)
 {
   const auto violations = [&](const std::string& distance)

@@ -14,8 +14,8 @@
 
 namespace CGAL::Geodesic_processing::test {
 
-// Opens edges of a closed surface and inserts a pocket of two triangles into each, so that two edges
-// connect the same vertices. The new vertex of a pocket has two faces. Further pockets can be
+// Opens edges of a closed surface and inserts a pocket of two triangles into each, so that two
+// edges connect the same vertices. The new vertex of a pocket has two faces. Further pockets can be
 // inserted into edges of pockets.
 inline std::shared_ptr<const Surface_arrays> with_pockets(Triangulation surface, std::size_t number)
 {

@@ -68,7 +68,8 @@ public:
 
   /// Returns the potential at a vertex or surfel. The potential increases along the flow, with
   /// slope at most one. Its integral over the target mass minus that over the source mass is the
-  /// lower bound.
+  /// lower bound, if masses are at vertices. The bound of other masses, for example of densities,
+  /// is an integral on the refined surface, of which only the original vertices have a value here.
   /// \param vertex a vertex or surfel of the surface
   /// \throws Invalid_argument_error if there was no query
   double potential(Vertex vertex) const { return last_result().potential[m_domain.index(vertex)]; }

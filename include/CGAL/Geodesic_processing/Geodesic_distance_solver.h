@@ -128,8 +128,8 @@ public:
   ///   \cgalParamNBegin{relative_tolerance}
   ///     \cgalParamDescription{a fraction, not negative. If it is positive, `Exact` merges similar
   ///       windows, which takes a fifth of the time on fine smooth meshes. The difference of
-  ///       `lower()` and `upper()` is then at most this fraction of `lower()`. `maximum_distance`
-  ///       is a bound of `lower()`}
+  ///       `lower()` and `upper()` is then at most this fraction of `lower()`, and in addition the
+  ///       errors of thin triangles (see `lower()`). `maximum_distance` is a bound of `lower()`}
   ///     \cgalParamType{`double`}
   ///     \cgalParamDefault{0: exact distances}
   ///   \cgalParamNEnd
@@ -142,9 +142,9 @@ public:
   /// \cgalNamedParamsEnd
   /// \pre Property maps have a value for each of their keys. If a map reads a vector, as those of
   ///      `CGAL::make_property_map()` do, the length of the vector is not checked.
-  /// \throws Invalid_argument_error if there is no source, or if an offset, a location, a speed, the
-  ///         maximum distance or the relative tolerance is invalid
-  /// \throws Unsupported_surface_error if a speed map is given and the method does not support
+  /// \throws Invalid_argument_error if there is no source, or if an offset, a location, a speed,
+  ///         the maximum distance or the relative tolerance is invalid
+  /// \throws Unsupported_surface_error if speeds are not all 1 and the method does not support
   ///         speeds, if the relative tolerance is positive and the method is not exact, or if
   ///         `Exact` exceeds its limit of windows
   /// \throws Cancelled if the callback returns false. Then only vertices or surfels whose

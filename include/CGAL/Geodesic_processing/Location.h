@@ -32,7 +32,7 @@ template <typename Point>
 class Soup_domain;
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// a location on a surfel cloud: a surfel and an offset in its tangent plane. The two components of
+/// A location on a surfel cloud: a surfel and an offset in its tangent plane. The two components of
 /// the offset are in the unit of the coordinates. They refer to `Surfel_domain::axes()`, and
 /// `Surfel_domain::point()` returns the point.
 template <typename Surfel>
@@ -91,14 +91,14 @@ struct Element_kernel<std::tuple<First, Others...>> : Element_kernel<First>
 } // namespace internal
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// the kernel of the points and vectors that are computed on a range of surfels. It is the kernel
+/// The kernel of the points and vectors that are computed on a range of surfels. It is the kernel
 /// of the elements if they are points of \cgal, or pairs or tuples that begin with such a point, or
 /// if they have a nested type `R`. For other ranges, for example of indices, specialize this struct
 /// before you call a function that returns points or vectors. Distances do not need it.
 template <typename SurfelRange>
 struct Surfel_kernel
 {
-  /// a model of `Kernel`
+  /// A model of `Kernel`
   using type = typename internal::Element_kernel<
       std::decay_t<decltype(*std::declval<const SurfelRange&>().begin())>>::type;
 };
@@ -184,12 +184,13 @@ struct Surface_of_domain<Soup_domain<Point>>
 } // namespace internal
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// the surface of a domain that `make_domain()` returns; otherwise the type itself.
+/// The surface of a domain that `make_domain()` returns; otherwise the type itself. The type can be
+/// `const`, as that of a variable is.
 template <typename Surface>
-using Surface_of = typename internal::Surface_of_domain<Surface>::type;
+using Surface_of = typename internal::Surface_of_domain<std::remove_const_t<Surface>>::type;
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// a location on a surface. On a mesh it is `Polygon_mesh_processing::Face_location`: a face and
+/// A location on a surface. On a mesh it is `Polygon_mesh_processing::Face_location`: a face and
 /// three barycentric coordinates. These belong to the source of `halfedge(face, mesh)`, to its
 /// target, and to the third corner, in this order. On a cloud it is a `Surfel_location`.
 ///

@@ -169,8 +169,9 @@ public:
     return this->m_kernel->is_region_reachable()[this->m_domain.index(vertex)];
   }
 
-  /// Returns the mass that arrives at a vertex or surfel, which is not negative; zero outside of the
-  /// region. Mass that arrives on an edge of the region is divided equally between its endpoints.
+  /// Returns the mass that arrives at a vertex or surfel, which is not negative; zero outside of
+  /// the region. Mass that arrives on an edge of the region is divided equally between its
+  /// endpoints.
   /// \param vertex a vertex or surfel of the surface
   /// \throws Invalid_argument_error if there was no query
   double arrival(Vertex vertex) const

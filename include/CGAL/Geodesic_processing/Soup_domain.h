@@ -188,10 +188,11 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 /// \ingroup PkgGeodesicProcessingDomain
 ///
 /// Constructs the domain of a polygon soup. It repairs the soup in this order: merges points,
-/// triangulates polygons, removes faces that are degenerate or duplicates, flips as few triangles
-/// as possible for a consistent orientation, and splits the surface at edges that have three or
-/// more triangles or no consistent orientation. `Soup_domain::report()` has the number of each
-/// repair. A soup that needs no repair has the same results as its mesh.
+/// triangulates polygons, removes faces that are degenerate or duplicates, reverses triangles for a
+/// consistent orientation, and splits the surface at edges that have three or more triangles or no
+/// consistent orientation. In a component that can be oriented, the minority of the triangles is
+/// reversed. `Soup_domain::report()` has the number of each repair. A soup that needs no repair has
+/// the same results as its mesh.
 ///
 /// \tparam Concurrency_tag has no effect
 /// \tparam PointRange a model of `Range`
@@ -215,9 +216,9 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 ///     \cgalParamDefault{No points are merged.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_remove_degenerate_faces}
-///     \cgalParamDescription{whether triangles without area are removed. The surface then has a slit
-///       if the corners of such a triangle are different points. All functions accept triangles
-///       without area.}
+///     \cgalParamDescription{whether triangles without area are removed. The surface then has a
+///       slit if the corners of such a triangle are different points. All functions accept
+///       triangles without area.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

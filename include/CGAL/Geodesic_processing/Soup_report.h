@@ -21,7 +21,8 @@ struct Soup_report
   /// without area if `do_remove_degenerate_faces` is true
   std::size_t number_of_degenerate_faces = 0;
   /// Triangles that were removed because an earlier one has the same corners in the same cyclic
-  /// order
+  /// order. Polygons with more corners were divided before; their duplicates are found if they are
+  /// divided by the same diagonals, which is certain if they begin with the same corner
   std::size_t number_of_duplicate_triangles = 0;
   /// Triangles without area in double precision that remain
   std::size_t number_of_triangles_without_area = 0;
@@ -32,11 +33,11 @@ struct Soup_report
   std::size_t number_of_split_edges = 0;
   /// Points at which several fans of triangles meet
   std::size_t number_of_nonmanifold_points = 0;
-  /// Components of triangles that are connected by edges
+  /// Components of triangles that are connected by edges, after the surface was split at edges
   std::size_t number_of_components = 0;
   /// Cycles of boundary edges, after the surface was split at edges and points
   std::size_t number_of_boundary_cycles = 0;
-  /// the sum of the genera of all components, after the surface was split
+  /// The sum of the genera of all components, after the surface was split
   std::size_t genus = 0;
 
   /// Returns whether the triangles differ from the polygons of the soup. O(1).

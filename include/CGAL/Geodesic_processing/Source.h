@@ -36,7 +36,7 @@ class Source
 {
 public:
   using Vertex = typename internal::Surface_traits<Surface>::Vertex; ///< a vertex or a surfel
-  /// a location on the surface
+  /// A location on the surface
   using Location = typename internal::Surface_traits<Surface>::Location;
   using Polyline = std::vector<Location>; ///< consecutive locations
 

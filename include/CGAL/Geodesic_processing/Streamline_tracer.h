@@ -76,9 +76,11 @@ public:
     return line({internal::location(m_domain, location)}, shortener);
   }
 
-  /// Writes `number` streamlines, each for an equal fraction of the mass that moves. On a mesh
-  /// they begin at locations that are distributed over this mass.
-  /// Each takes O(number of crossed faces or surfels) time. If no mass moves, nothing is written.
+  /// Writes `number` streamlines, each for an equal fraction of the mass that is moved, the first
+  /// distribution of the query. On a mesh they begin at locations that are distributed over this
+  /// mass. The line of a mass that is at its target already has one point and the length zero.
+  /// Each takes O(number of crossed faces or surfels) time. If there is no mass, nothing is
+  /// written.
   /// \tparam OutputIterator a model of `OutputIterator` for `Streamline<Surface>`
   /// \param number the number of streamlines
   /// \param out receives the streamlines
@@ -105,7 +107,7 @@ public:
   }
 
   /// Writes an assignment of sources to targets: a pair of locations for each of `number` equal
-  /// fractions of the mass that moves. Each takes the time of `destination()`.
+  /// fractions of the mass that is moved. Each takes the time of `destination()`.
   /// \tparam OutputIterator a model of `OutputIterator` for pairs of locations
   /// \param number the number of pairs
   /// \param out receives the pairs

@@ -19,16 +19,16 @@ template <typename Surface>
 struct Surface_path
 {
   using Location = typename internal::Surface_traits<Surface>::Location;
-  /// the point type of the surface: that of its vertex point map, or of `Surfel_kernel`
+  /// The point type of the surface: that of its vertex point map, or of `Surfel_kernel`
   using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
 
   std::vector<Location> locations; ///< the vertices of the polyline; empty if there is no path
   std::vector<Point_3> points;     ///< the positions of the locations, of the surface's kernel
   double length = 0.;              ///< the length of the polyline
-  /// the distance that the method computes; +infinity if there is no path. With speeds it is a
+  /// The distance that the method computes; +infinity if there is no path. With speeds it is a
   /// travel time, and the other members remain lengths
   double front_distance = 0.;
-  /// a certified lower bound of the length of all paths between its ends: for shortest paths by
+  /// A certified lower bound of the length of all paths between its ends: for shortest paths by
   /// `Exact` its length minus round-off errors, otherwise the straight distance in space
   double lower = 0.;
 

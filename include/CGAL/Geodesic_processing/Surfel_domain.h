@@ -91,8 +91,8 @@ public:
   /// \throws Invalid_argument_error if the surfel is not in the cloud or the offset is not finite
   Point_3 point(const Location& location) const;
 
-  /// Returns the axes to which the offsets of a surfel refer: two unit vectors in its tangent plane,
-  /// whose cross product is its unit normal. They depend on the normal only. O(1).
+  /// Returns the axes to which the offsets of a surfel refer: two unit vectors in its tangent
+  /// plane, whose cross product is its unit normal. They depend on the normal only. O(1).
   /// \param surfel a surfel
   /// \throws Invalid_argument_error if the surfel is not in the cloud
   std::array<Vector_3, 2> axes(Vertex surfel) const;

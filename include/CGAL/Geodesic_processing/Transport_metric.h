@@ -25,10 +25,10 @@ namespace CGAL::Geodesic_processing {
 /// Selects the particular flow of a `Transport_metric`, which `k` eigenfunctions then correct.
 enum class Transport_flow
 {
-  /// the gradient of the solution of Poisson's equation, as in the paper. It balances masses at
+  /// The gradient of the solution of Poisson's equation, as in the paper. It balances masses at
   /// vertices.
   gradient,
-  /// a Raviart-Thomas field, which balances masses that are spread over the triangles incident to
+  /// A Raviart-Thomas field, which balances masses that are spread over the triangles incident to
   /// their vertices. For the same positive `k` the results are closer to geodesic distances; for
   /// `k` = 0 they are less smooth. It is replaced by `gradient` on clouds, and on meshes with
   /// pieces that are connected by a single vertex only.

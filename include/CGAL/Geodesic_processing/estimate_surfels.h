@@ -20,8 +20,10 @@ namespace CGAL::Geodesic_processing {
 /// \ingroup PkgGeodesicProcessingDomain
 ///
 /// Estimates the normals and radii of points, so that they become surfels. Normals are those of
-/// fitted quadrics \cgalCite{cgal:cp-edqpf-05}. They are oriented along a minimum spanning tree.
-/// The radii are such that the disks of neighbors overlap.
+/// fitted quadrics \cgalCite{cgal:cp-edqpf-05}. They are oriented along a minimum spanning tree
+/// (Hoppe and others 1992). In each component, the normal of the highest point (in z) points
+/// upwards, hence normals point outwards if the points are from a closed surface. The radii are
+/// such that the disks of neighbors overlap.
 ///
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default), or `CGAL::Parallel_tag` for
 ///         several threads. The results are identical.

@@ -11,7 +11,7 @@ namespace CGAL::Geodesic_processing {
 /// \addtogroup PkgGeodesicProcessingErrors
 /// @{
 
-/// is thrown if an argument is invalid, for example an empty range of sources, a negative distance
+/// Thrown if an argument is invalid, for example an empty range of sources, a negative distance
 /// or a coordinate that is not finite. It is derived from `std::runtime_error`.
 class Invalid_argument_error : public std::runtime_error
 {
@@ -19,7 +19,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// is thrown if a method cannot process a surface. Examples are faces that are not triangles, more
+/// Thrown if a method cannot process a surface. Examples are faces that are not triangles, more
 /// than 2<SUP>31</SUP> halfedges, or a cloud if a manifold is needed. It is derived from
 /// `std::runtime_error`.
 class Unsupported_surface_error : public std::runtime_error
@@ -28,7 +28,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// is thrown by each function whose named parameter `callback` returns false.
+/// Thrown by each function whose named parameter `callback` returns false.
 ///
 /// Property maps, output iterators and graphs that the function would have written are unchanged.
 /// A solver can be used again; its documentation states which results are valid. If the function

@@ -82,14 +82,14 @@ namespace CGAL::Geodesic_processing {
 /// \returns the base points
 /// \throws Unsupported_surface_error if the surface is not connected
 /// \throws Invalid_argument_error if there are fewer than three base points or a number is out of
-///         range, or if `number_of_neighbors` is given and groups of base points have no neighbors in
-///         each other
+///         range, or if `number_of_neighbors` is given and groups of base points have no neighbors
+///         in each other
 /// \throws Cancelled if the callback returns false
 ///
 /// The front of each base point ends at the neighbors of its neighbors. With ten neighbors, all
 /// fronts together visit each vertex fewer than twenty times. They take O(n log n) time,
-/// independently of the number of base points. If the default number of neighbors is increased, time
-/// and memory are proportional to it.
+/// independently of the number of base points. If the default number of neighbors is increased,
+/// time and memory are proportional to it.
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
 std::vector<typename internal::Surface_traits<Surface_of<Surface>>::Vertex>

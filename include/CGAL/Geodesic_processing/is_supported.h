@@ -118,7 +118,7 @@ CGAL_GEODESIC_PROCESSING_FUNCTIONS(CGAL_GEODESIC_PROCESSING_BOTH, CGAL_GEODESIC_
 } // namespace internal
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// whether a function or class accepts a surface: `is_supported_v<Function::texture_atlas, Mesh>`.
+/// Whether a function or class accepts a surface: `is_supported_v<Function::texture_atlas, Mesh>`.
 /// If it is `false`, a call does not compile, and the compiler prints the reason.
 ///
 /// \tparam function the name of the function or class

@@ -152,7 +152,8 @@ public:
   ///     \cgalParamDescription{a vector in space; the second axis of the map is its projection to
   ///       the tangent plane, approximately if the triangles at the base point are not in a plane}
   ///     \cgalParamType{a 3D vector of any kernel}
-  ///     \cgalParamDefault{not given: the first axis points along the first edge at the base point}
+  ///     \cgalParamDefault{not given: in a face, the first axis points along `halfedge(face)`; at a
+  ///       vertex or surfel, along any of its edges}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{stencil_length}
   ///     \cgalParamDescription{the distance from the base point to the stencil from which

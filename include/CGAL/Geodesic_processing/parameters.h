@@ -100,8 +100,9 @@ CGAL_GEODESIC_PROCESSING_OWN_NAMES(CGAL_GEODESIC_PROCESSING_TAG)
 
 } // namespace internal_np
 
-/// The named parameters of this package and, in addition, those of \cgal. A chain that begins with
-/// a function of this namespace can be continued with the names of both, in any order.
+/// The named parameters of this package and, in addition, those of \cgal. A chain can mix the names
+/// of this package with the names of \cgal that its functions read, for example `vertex_point_map`
+/// and `callback`. Other names of \cgal must follow at the end of the chain.
 namespace parameters {
 
 using namespace CGAL::parameters;

@@ -45,8 +45,8 @@ struct Fast_marching
 /// straight line.
 ///
 /// Circular fronts are due to Reimers \cgalCite{cgal:r-tvs-04}. Here the curvature of the circle is
-/// not assumed, but fitted to a direction and two distances. If a speed is given, the front is that
-/// of `Fast_marching`.
+/// not assumed, but fitted to a direction and two distances. If speeds are not all 1, the front is
+/// that of `Fast_marching`.
 struct Euclidean_front
 {};
 
@@ -57,8 +57,8 @@ struct Euclidean_front
 /// needles. Paths are shortest paths. Distances inside faces are exact as well, and each takes a
 /// separate search from there. Faces of speed zero are obstacles: distances are exact on the
 /// surface without them. All other speeds must be equal. Thin triangles amplify the round-off
-/// errors of the lengths of their edges. A triangle with the longest edge c and the height h changes
-/// a distance by at most 2.3e-15 c<SUP>2</SUP>/h, and by at most 7e-8 c. Lower and
+/// errors of the lengths of their edges. A triangle with the longest edge c and the height h
+/// changes a distance by at most 2.3e-15 c<SUP>2</SUP>/h, and by at most 7e-8 c. Lower and
 /// upper bounds contain these errors.
 ///
 /// With a positive `relative_tolerance`, similar windows are merged, and the solver has certified

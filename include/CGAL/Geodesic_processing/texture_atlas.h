@@ -128,7 +128,7 @@ Texture_atlas write_atlas(const Atlas& atlas, const TriangleMesh& mesh,
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{texture_size}
-///     \cgalParamDescription{texels along each edge of the texture, at least 16; the unit of the
+///     \cgalParamDescription{texels along each edge of the texture, 16 to 16,384; the unit of the
 ///       gutter}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{1024}

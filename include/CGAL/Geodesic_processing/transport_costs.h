@@ -15,16 +15,16 @@ namespace CGAL::Geodesic_processing {
 struct Earth_movers_cost
 {
   double value = 0.; ///< the mean of the lower and the upper bound
-  /// certified lower bound, which also holds for geodesic distances on the surface
+  /// Certified lower bound, which also holds for geodesic distances on the surface
   double lower = 0.;
   double upper = 0.; ///< certified upper bound for flows that are constant in each face
-  /// certified upper bound for flows on the surface; infinite unless `do_bound_from_above` is set
+  /// Certified upper bound for flows on the surface; infinite unless `do_bound_from_above` is set
   double upper_continuous = std::numeric_limits<double>::infinity();
-  /// the value extrapolated from the last two refinement levels, not certified; without refinement
+  /// The value extrapolated from the last two refinement levels, not certified; without refinement
   /// the same as `value`
   double estimate = 0.;
   unsigned number_of_iterations = 0; ///< the number of iterations on the finest level
-  /// the largest difference of the divergence of the flow and the masses, relative to the total
+  /// The largest difference of the divergence of the flow and the masses, relative to the total
   /// mass that is moved
   double residual = 0.;
   bool is_converged = false; ///< whether the gap between the bounds is within the tolerance
@@ -37,16 +37,16 @@ struct Earth_movers_cost
 struct Transport_barycenter_cost
 {
   double value = 0.; ///< the mean of the lower and the upper bound
-  /// certified lower bound of the cost of every mass distribution, also for geodesic distances on
+  /// Certified lower bound of the cost of every mass distribution, also for geodesic distances on
   /// the surface
   double lower = 0.;
-  /// certified upper bound of the cost of the computed barycenter, for flows that are constant in
+  /// Certified upper bound of the cost of the computed barycenter, for flows that are constant in
   /// each face
   double upper = 0.;
-  /// the upper bound of the distance from the barycenter to each of the given mass distributions
+  /// The upper bound of the distance from the barycenter to each of the given mass distributions
   std::vector<double> distances;
   unsigned number_of_iterations = 0; ///< the number of iterations
-  /// the largest difference of the divergence of a flow and the masses that it moves, relative to
+  /// The largest difference of the divergence of a flow and the masses that it moves, relative to
   /// the total mass
   double residual = 0.;
   bool is_converged = false; ///< whether the gap between the bounds is within the tolerance

@@ -911,6 +911,28 @@ TEST(Window_propagation, relative_tolerance_gives_certified_bounds)
   }
 }
 
+// In a rectangle that is far wider than high, merged windows have sources far away, and differences
+// of distances that are only round-off errors.
+TEST(Window_propagation, relative_tolerance_gives_certified_bounds_on_needles)
+{
+  for(const double height : {1e-3, 3e-7, 1e-8})
+    for(unsigned seed = 1; seed <= 6; ++seed)
+    {
+      const Array_surface surface(scaled(square(40, 0.1, seed), 1., height, 1.));
+      Window_propagation windows(surface.triangles());
+      const Index source = 17 * 41 + 13;
+      Front_limits limits;
+      limits.relative_tolerance = 1e-3;
+      windows.run({surface.source(source)}, limits);
+      for(Index i = 0; i < surface.size(); ++i)
+      {
+        const double distance = norm(surface.point(i) - surface.point(source)) / surface.scale();
+        EXPECT_LE(windows.lower(surface.vertex(i)), distance * (1. + round_off));
+        EXPECT_GE(windows.upper(surface.vertex(i)), distance * (1. - round_off));
+      }
+    }
+}
+
 TEST(Window_propagation, without_tolerance_bounds_equal_distance)
 {
   const Array_surface surface(icosphere(3));

@@ -90,7 +90,8 @@ TEST(Intrinsic_delaunay, long_diagonal_is_flipped)
 
 TEST(Intrinsic_delaunay, edges_within_the_tolerance_are_kept)
 {
-  // A flat rhombus with the diagonals 2 and 2 * 0.9; its angles at the short one sum to 192 degrees.
+  // A flat rhombus with the diagonals 2 and 2 * 0.9; its angles at the short one sum to 192
+  // degrees.
   const Triangulation rhombus = {{{-1., 0., 0.}, {1., 0., 0.}, {0., 0.9, 0.}, {0., -0.9, 0.}},
                                  {0, 1, 2, 1, 0, 3}};
   const Surface_arrays t = *Array_surface(rhombus).triangles();

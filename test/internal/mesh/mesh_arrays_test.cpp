@@ -216,8 +216,8 @@ TEST(Mesh_arrays, far_isolated_vertices_do_not_change_lengths)
   }
 }
 
-// The coordinates are multiples of 1/4, so that their differences are exact at any distance from the
-// origin.
+// The coordinates are multiples of 1/4, so that their differences are exact at any distance from
+// the origin.
 TEST(Mesh_arrays, lengths_are_those_of_the_coordinates)
 {
   Triangulation surface = square(4);

@@ -95,8 +95,8 @@ TEST(Base_map, has_no_folded_triangles_in_pockets)
   }
 }
 
-// A triangle with a thin tube close to corner `k`. The images of the rings of the tube are much closer
-// to the corner than the round-off error of one.
+// A triangle with a thin tube close to corner `k`. The images of the rings of the tube are much
+// closer to the corner than the round-off error of one.
 TEST(Base_map, has_no_folded_triangles_in_a_tube_at_a_corner)
 {
   const double d = 1e-9;

@@ -14,15 +14,24 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
 // #triangles: 1 / speed of each triangle; null if the speed is 1 everywhere.
 using Shared_slowness = std::shared_ptr<const std::vector<double>>;
+
+inline Shared_slowness shared_slowness(std::vector<double> values)
+{
+  if(std::all_of(values.begin(), values.end(), [](double value) { return value == 1.; }))
+    return nullptr;
+  return std::make_shared<const std::vector<double>>(std::move(values));
+}
 
 // Reads the speeds of vertices or surfels. An empty optional stands for no map.
 template <typename Domain, typename SpeedMap>
@@ -31,7 +40,7 @@ Shared_slowness vertex_slowness(const Domain& domain, const SpeedMap& speed)
   static_assert(is_keyed_by<SpeedMap, typename Domain::Vertex>,
                 "speed_map is a property map with vertices or surfels as keys. Pass speeds of "
                 "faces as face_speed_map. CGAL::make_property_map() makes a map of a vector.");
-  return std::make_shared<const std::vector<double>>(domain.slowness(speed));
+  return shared_slowness(domain.slowness(speed));
 }
 template <typename Domain, typename SpeedMap>
 Shared_slowness vertex_slowness(const Domain& domain, const std::optional<SpeedMap>& speed)
@@ -49,7 +58,7 @@ Shared_slowness face_slowness(const Domain& domain, const FaceSpeedMap& speed)
   static_assert(is_keyed_by<FaceSpeedMap, typename boost::graph_traits<Surface>::face_descriptor>,
                 "face_speed_map is a property map with faces as keys. Pass speeds of vertices as "
                 "speed_map. CGAL::make_property_map() makes a map of a vector.");
-  return std::make_shared<const std::vector<double>>(domain.face_slowness(speed));
+  return shared_slowness(domain.face_slowness(speed));
 }
 
 // Reads the named parameter `speed_map` or `face_speed_map`.

@@ -53,16 +53,16 @@ struct Bounded_path
 //
 // Windows with the same unfolded source are merged again. Therefore flat regions cost as much as a
 // front, curved ones O(n^1.5) time in practice. Windows are discarded after they have crossed.
-// A query beyond Window_propagator::usual_max_work() throws Unsupported_surface_error; then no vertex
-// is reached. The time of a query depends only on the visited triangles. Copies share the triangles
-// and may run concurrently.
+// A query beyond Window_propagator::usual_max_work() throws Unsupported_surface_error; then no
+// vertex is reached. The time of a query depends only on the visited triangles. Copies share the
+// triangles and may run concurrently.
 //
 // Degenerate triangles get slightly longer edges first (without_degenerate_triangles()). Bounds,
 // also those of paths, contain the errors of thin triangles (distance_error_of_thin_triangles()).
 //
 // With a relative tolerance, similar windows are merged (approximate_windows.h). Lower and upper
-// bounds of the distances then differ by at most this fraction of the lower bound, and distance() is
-// their mean. There are fewer windows: on smooth surfaces about one per edge.
+// bounds of the distances then differ by at most this fraction of the lower bound, and distance()
+// is their mean. There are fewer windows: on smooth surfaces about one per edge.
 //
 // Triangles of infinite slowness are obstacles. They are removed from a copy of the arrays, and
 // the distances on this copy are exact.
@@ -97,8 +97,8 @@ public:
   const std::vector<Index>& reached() const { return m_state.reached; }
   // Returns the distance at a location.
   double distance(const Surface_location& location) const;
-  // Returns bounds of the distance at a location. Inside a face or edge, windows are propagated back
-  // from the location until they meet a source, or a vertex on a shortest path.
+  // Returns bounds of the distance at a location. Inside a face or edge, windows are propagated
+  // back from the location until they meet a source, or a vertex on a shortest path.
   Distance_bounds bounds(const Surface_location& location) const;
   // Returns the distances at many locations. Without a relative tolerance, takes as long as the
   // query, and less than as many calls of distance() if there are hundreds of locations.

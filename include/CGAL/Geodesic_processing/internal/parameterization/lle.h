@@ -36,7 +36,8 @@ Eigen::MatrixXd classical_scaling(const Eigen::MatrixXd& squares);
 // surface.
 //
 // If the graph of neighbors is not connected, more neighbors are used, up to `number_of_nearest`.
-// Returns an empty vector if it is still not connected or if there are fewer than three base points.
+// Returns an empty vector if it is still not connected or if there are fewer than three base
+// points.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbors);
 

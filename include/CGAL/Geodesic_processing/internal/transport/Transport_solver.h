@@ -84,10 +84,10 @@ inline void rescale(Transport_result& result, double scale)
 //
 // Both bounds are certified: every feasible J is an upper bound, and every phi, divided by its
 // maximum slope, is a lower bound. Round-off errors, which are large if triangles are needles, make
-// J slightly infeasible. The upper bound contains the cost of moving the missing masses along edges.
-// A function phi of slope one changes no faster than the geodesic distance. Therefore the lower
-// bound also holds for the distance on the surface itself. On smooth surfaces the distance is larger
-// by O(edge length).
+// J slightly infeasible. The upper bound contains the cost of moving the missing masses along
+// edges. A function phi of slope one changes no faster than the geodesic distance. Therefore the
+// lower bound also holds for the distance on the surface itself. On smooth surfaces the distance is
+// larger by O(edge length).
 //
 // The default method is a primal-dual interior point method for the second-order cone program:
 // Nesterov-Todd scaling, Mehrotra's predictor and corrector, Gondzio's centrality corrector. The
