@@ -41,6 +41,16 @@ TEST(earth_movers_distance, accepts_domain)
             GP::earth_movers_distance(mesh, Vertex(0), Vertex(24)).value);
 }
 
+// Round-off errors of coordinates give triangles on a line a tiny area.
+TEST(Earth_movers_solver, rejects_surface_without_area)
+{
+  const Mesh line = mesh_of(grid(4, 4,
+                                 [](double u, double v) {
+                                   return Point{u + v, 0.3 * (u + v), 0.7 * (u + v)};
+                                 }));
+  EXPECT_THROW(GP::Earth_movers_solver<Mesh>{line}, GP::Unsupported_surface_error);
+}
+
 TEST(Earth_movers_solver, has_no_result_before_a_query)
 {
   Mesh mesh = mesh_of(square(4));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include "core/unfold.h"
 
 #include <algorithm>
@@ -9,6 +10,17 @@
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Returns twice the area below which a triangle is degenerate.
+double min_doubled_area(const double* length)
+{
+  const auto [shortest, longest] = std::minmax({length[0], length[1], length[2]});
+  return 1e-7 * shortest * longest;
+}
+
+} // namespace
 
 Operators operators(const Surface_arrays& triangles, Degenerate_triangles degenerate)
 {
@@ -22,14 +34,12 @@ Operators operators(const Surface_arrays& triangles, Degenerate_triangles degene
   {
     const double* length = &triangles.length[3 * f];
     double doubled_area = twice_area(length[0], length[1], length[2]);
-    const auto [shortest, longest] = std::minmax({length[0], length[1], length[2]});
     auto points = unfolded(triangles, Index(f));
-    if(const double min_doubled_area = 1e-7 * shortest * longest;
-       !(doubled_area > min_doubled_area))
+    if(const double minimum = min_doubled_area(length); !(doubled_area > minimum))
     {
-      if(degenerate == Degenerate_triangles::skipped || !(min_doubled_area > 0.))
+      if(degenerate == Degenerate_triangles::skipped || !(minimum > 0.))
         continue;
-      doubled_area = min_doubled_area;
+      doubled_area = minimum;
       points[2][1] = doubled_area / length[0];
     }
     result.area[f] = 0.5 * doubled_area * (triangles.weight.empty() ? 1. : triangles.weight[f]);
@@ -38,6 +48,17 @@ Operators operators(const Surface_arrays& triangles, Degenerate_triangles degene
           (1. / doubled_area) * rotated_left(points[(k + 2) % 3] - points[(k + 1) % 3]);
   }
   return result;
+}
+
+void require_area(const Surface_arrays& triangles)
+{
+  for(std::size_t f = 0; f < triangles.number_of_triangles(); ++f)
+  {
+    const double* length = &triangles.length[3 * f];
+    if(twice_area(length[0], length[1], length[2]) > min_doubled_area(length))
+      return;
+  }
+  throw Unsupported_surface_error("No triangle of the surface has an area.");
 }
 
 Operators metric_operators(const Surface_arrays& t, const std::vector<Metric_tensor>& metric)

@@ -16,6 +16,7 @@ Multilevel_barycenter_solver::Multilevel_barycenter_solver(
     std::shared_ptr<const Surface_arrays> triangles, unsigned refinements,
     std::vector<Metric_tensor> metric)
 {
+  require_area(*triangles);
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
     throw Unsupported_surface_error("The refined surface would have more than 2^31 halfedges.");
   const Operators operators_of_surface = metric_operators(*triangles, metric);

@@ -129,6 +129,7 @@ Multilevel_transport_solver::Multilevel_transport_solver(
     : m_region(std::move(region))
 {
   check_region(m_region);
+  require_area(*triangles);
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
     throw Unsupported_surface_error("The refined surface would have more than 2^31 halfedges.");
   if(m_region.curves.empty())

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/transport/biharmonic.h>
 
-#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 
 #include <algorithm>
@@ -14,8 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 Biharmonic_distances::Biharmonic_distances(const Surface_arrays& triangles)
     : m_operators(internal::operators(triangles)), m_mass(lumped_mass(m_operators))
 {
-  if(!(m_mass.sum() > 0.))
-    throw Unsupported_surface_error("The surface has no triangle with positive area.");
+  require_area(triangles);
   std::tie(m_component, m_number_of_components) = components(m_operators);
   m_component_mass = Vector::Zero(Eigen::Index(m_number_of_components));
   for(std::size_t vertex = 0; vertex < m_component.size(); ++vertex)

@@ -345,9 +345,7 @@ Spectral_transport::Spectral_transport(std::shared_ptr<const Surface_arrays> tri
                                        std::size_t k, Particular_field kind)
     : m_triangles(std::move(triangles)), m_operators(internal::operators(*m_triangles))
 {
-  if(std::none_of(m_operators.area.begin(), m_operators.area.end(),
-                  [](double area) { return area > 0.; }))
-    throw Unsupported_surface_error("The surface has no triangle with positive area.");
+  require_area(*m_triangles);
   m_number_of_components = components(m_operators).second;
   m_particular = std::make_unique<Particular_fields>(*m_triangles, m_operators, kind, k > 0);
   const auto n = Eigen::Index(m_operators.number_of_triangles());

@@ -90,6 +90,10 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Operators operators(const Surface_arrays& triangles,
                     Degenerate_triangles degenerate = Degenerate_triangles::skipped);
 
+// Throws Unsupported_surface_error if operators() skips all triangles. O(n)
+CGAL_GEODESIC_PROCESSING_EXPORT
+void require_area(const Surface_arrays& triangles);
+
 // Returns true if the metric has an infinite entry on the diagonal: no path and no flow can pass.
 inline bool is_blocked(const Metric_tensor& metric)
 {
