@@ -79,8 +79,8 @@ TEST(Region_transport_solver, accepts_boundary_sources)
   EXPECT_NEAR(sum, 1., round_off);
 }
 
-// Triangles at the boundary have obtuse angles, at which hat functions have gradients of the same
-// direction.
+// Triangles at the boundary have obtuse angles, at which hat functions of two vertices have
+// gradients in similar directions.
 TEST(Region_transport_solver, arrivals_are_not_negative)
 {
   const Mesh mesh = mesh_of(square(12, 0.3));

@@ -423,31 +423,16 @@ Multilevel_transport_solver::solve_to_region(const Mass_distribution& from,
 }
 
 // #vertices of the base level: the mass that a flow carries to each vertex of the region.
+//
+// A uniform flow carries the flux through half of the adjacent edges to a vertex. At obtuse angles,
+// other flows can carry a negative mass to a vertex, and as much more to its neighbors. Negative
+// masses are set to zero such that the sum over an exit remains equal.
 Vector Multilevel_transport_solver::arrivals(const Field& flow, const Vector& source_masses) const
 {
   const Level& coarse = base();
-  const Operators o = operators(*coarse.triangles, Degenerate_triangles::thickened);
-  Vector inflow = minus_divergence(o, flow);
-  std::vector<Index> exit_at(coarse.triangles->number_of_vertices(), none);
-  for(Index exit = 0; exit < coarse.exits.size(); ++exit)
-    for(const Index vertex : coarse.exits[exit])
-      exit_at[vertex] = exit;
-  // The flow only determines the sum over an exit. In a triangle with an edge in it, one endpoint
-  // gets a negative mass if the angle at the other endpoint is obtuse. Masses arrive equally at all
-  // points of the edge, hence each endpoint gets half of them.
-  for(Index f = 0; f < o.number_of_triangles(); ++f)
-    for(Index k = 0; k < 3; ++k)
-    {
-      const Index i = 3 * f + (k + 1) % 3, j = 3 * f + (k + 2) % 3;
-      const Index v = o.corner[i], w = o.corner[j];
-      if(exit_at[v] == none || exit_at[v] != exit_at[w] ||
-         exit_at[v] == exit_at[o.corner[3 * f + k]])
-        continue;
-      const double difference = o.area[f] * dot(flow[f], o.hat_gradient[i] - o.hat_gradient[j]);
-      inflow[v] -= difference / 2.;
-      inflow[w] += difference / 2.;
-    }
-  // In other triangles, obtuse angles have the same effect. The sum over an exit remains equal.
+  const double scale = coarse.triangles->scale;
+  const Vector inflow =
+      minus_divergence(operators(*coarse.triangles, Degenerate_triangles::thickened), flow);
   Vector result = Vector::Zero(source_masses.size());
   for(const std::vector<Index>& exit : coarse.exits)
   {
@@ -459,8 +444,7 @@ Vector Multilevel_transport_solver::arrivals(const Field& flow, const Vector& so
     }
     const double factor = positive > 0. ? std::max(sum, 0.) / positive : 0.;
     for(const Index vertex : exit)
-      result[vertex] =
-          coarse.triangles->scale * factor * std::max(inflow[vertex], 0.) + source_masses[vertex];
+      result[vertex] = scale * factor * std::max(inflow[vertex], 0.) + source_masses[vertex];
   }
   return result;
 }

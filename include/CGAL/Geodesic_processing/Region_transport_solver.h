@@ -170,8 +170,7 @@ public:
   }
 
   /// Returns the mass that arrives at a vertex or surfel, which is not negative; zero outside of
-  /// the region. Mass that arrives on an edge of the region is divided equally between its
-  /// endpoints.
+  /// the region. Mass that arrives on an edge of the region is divided between its endpoints.
   /// \param vertex a vertex or surfel of the surface
   /// \throws Invalid_argument_error if there was no query
   double arrival(Vertex vertex) const
