@@ -77,6 +77,18 @@ TEST(Biharmonic_metric, distance_map_scales_with_mesh)
   }
 }
 
+TEST(Biharmonic_metric, crosses_triangles_without_area)
+{
+  const Mesh mesh = mesh_of(rectangle_with_slit(8));
+  const GP::Biharmonic_metric<Mesh> metric(mesh);
+  // Vertices on both sides of the slit, and at the ends of a row
+  const double across = metric.distance(Vertex(40), Vertex(41)),
+               along = metric.distance(Vertex(36), Vertex(44));
+  EXPECT_GT(across, 0.);
+  EXPECT_LT(across, 0.5 * along);
+  EXPECT_LT(along, infinity);
+}
+
 TEST(Biharmonic_metric, throws_on_invalid_location)
 {
   const Mesh mesh = mesh_of(icosphere(1));

@@ -11,7 +11,8 @@
 namespace CGAL::Geodesic_processing::internal {
 
 Biharmonic_distances::Biharmonic_distances(const Surface_arrays& triangles)
-    : m_operators(internal::operators(triangles)), m_mass(lumped_mass(m_operators))
+    : m_operators(internal::operators(triangles, Degenerate_triangles::thickened)),
+      m_mass(lumped_mass(m_operators))
 {
   require_area(triangles);
   std::tie(m_component, m_number_of_components) = components(m_operators);

@@ -343,7 +343,8 @@ private:
 
 Spectral_transport::Spectral_transport(std::shared_ptr<const Surface_arrays> triangles,
                                        std::size_t k, Particular_field kind)
-    : m_triangles(std::move(triangles)), m_operators(internal::operators(*m_triangles))
+    : m_triangles(std::move(triangles)),
+      m_operators(internal::operators(*m_triangles, Degenerate_triangles::thickened))
 {
   require_area(*m_triangles);
   m_number_of_components = components(m_operators).second;

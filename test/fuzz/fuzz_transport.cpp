@@ -401,12 +401,12 @@ private:
       const bool is_connected = m_connected.distance(b) < infinity;
       const GP::Earth_movers_cost there = metric->cost(a, b), back = metric->cost(b, a);
       require(!std::isnan(there.value), "a cost is a number");
+      require((there.value < infinity) == is_connected,
+              "the distance is infinite between components only");
       // The flow of needles does not move all masses, and its cost does not contain the remaining
       // ones.
       if(has_needles(m_surface))
         continue;
-      require((there.value < infinity) == is_connected,
-              "the distance is infinite between components only");
       if(!is_connected)
         continue;
       check_cost(there, 1.);

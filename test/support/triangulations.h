@@ -98,6 +98,18 @@ inline Triangulation square(std::size_t n, double jitter = 0., unsigned seed = 1
       jitter, seed);
 }
 
+// A rectangle of size n - 1 by n, whose middle column of triangles has no area: it joins the edges
+// of both halves, which are displaced by half an edge.
+inline Triangulation rectangle_with_slit(std::size_t n)
+{
+  return grid(n, n,
+              [n](double u, double v)
+              {
+                const double x = u * double(n), y = v * double(n);
+                return u > 0.5 ? Point{x - 1., y + 0.5, 0.} : Point{x, y, 0.};
+              });
+}
+
 // A flat unit square of jittered triangles that become wider from left to right, up to 80 times.
 inline Triangulation graded_square(std::size_t n)
 {
