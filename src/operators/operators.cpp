@@ -39,7 +39,9 @@ Operators operators(const Surface_arrays& triangles, Degenerate_triangles degene
     {
       if(degenerate == Degenerate_triangles::skipped || !(minimum > 0.))
         continue;
-      doubled_area = minimum;
+      // Otherwise differences of potentials across the height are round-off errors.
+      constexpr double min_height = 1e-9;
+      doubled_area = std::max(minimum, min_height * std::max({length[0], length[1], length[2]}));
       points[2][1] = doubled_area / length[0];
     }
     result.area[f] = 0.5 * doubled_area * (triangles.weight.empty() ? 1. : triangles.weight[f]);

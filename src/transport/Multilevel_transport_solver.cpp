@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/transport/continuous_flow.h>
 #include "transport/Spanning_forest.h"
+#include "transport/close_vertices.h"
 #include "transport/uniform_refinement.h"
 #include "core/unfold.h"
 
@@ -35,25 +36,31 @@ std::vector<Index> refined(const Surface_arrays& coarse, const Surface_arrays& f
   return result;
 }
 
-// Replaces all vertices of an exit by the first one, so that they share one unknown.
-void merge_exits(Operators& operators, const std::vector<std::vector<Index>>& exits)
+// Solves with one unknown for all vertices that are close to each other. The flow does not move
+// masses between them. The cost of moving these masses along tiny edges is added to the upper bound.
+Transport_result solve_with_merged_vertices(const Surface_arrays& triangles, const Vector& masses,
+                                            const Close_vertices& close,
+                                            const Transport_options& options)
 {
-  std::vector<Index> representative(operators.number_of_vertices);
-  std::iota(representative.begin(), representative.end(), Index(0));
-  for(const std::vector<Index>& exit : exits)
-    for(const Index vertex : exit)
-      representative[vertex] = exit.front();
-  for(Index& vertex : operators.corner)
-    vertex = representative[vertex];
-}
-
-// Adds the masses of an exit at its first vertex.
-void merge_exits(Vector& masses, const std::vector<std::vector<Index>>& exits)
-{
-  for(const std::vector<Index>& exit : exits)
-    for(const Index vertex : exit)
-      if(vertex != exit.front())
-        masses[exit.front()] += std::exchange(masses[vertex], 0.);
+  const Operators original = operators(triangles, Degenerate_triangles::thickened);
+  Operators merged = original;
+  merge_close_vertices(triangles, close, merged);
+  Vector merged_masses = masses;
+  merge_vertices(merged_masses, close.groups);
+  const Transport_solver solver(std::move(merged));
+  Transport_result result = solver.solve(merged_masses, options);
+  separate_close_vertices(solver.operators(), original, result.flow);
+  const double cost =
+      cost_between_close_vertices(close, masses - minus_divergence(original, result.flow));
+  for(const std::vector<Index>& group : close.groups)
+    for(const Index vertex : group)
+      result.potential[vertex] = double(result.potential[group.front()]);
+  result.remaining_cost += cost;
+  result.upper += cost;
+  result.value = 0.5 * (result.lower + result.upper);
+  result.is_converged =
+      result.is_converged && result.upper - result.lower <= options.tolerance * result.upper;
+  return result;
 }
 
 // Returns the arrays with twins removed along the boundary of obstacles.
@@ -170,7 +177,7 @@ void Multilevel_transport_solver::find_reachable_vertices()
 {
   const Level& level = base();
   Operators operators = metric_operators(*level.triangles, level.metric);
-  merge_exits(operators, level.exits);
+  merge_vertices(operators, level.exits);
   const auto [component, number] = components(operators);
   std::vector<bool> has_exit(number, false);
   for(const std::vector<Index>& exit : level.exits)
@@ -205,7 +212,7 @@ void Multilevel_transport_solver::prepare_solvers()
   {
     Level& current = m_levels[level];
     Operators operators = metric_operators(*current.triangles, current.metric);
-    merge_exits(operators, current.exits);
+    merge_vertices(operators, current.exits);
     current.solver = std::make_unique<Transport_solver>(std::move(operators));
   }
 }
@@ -480,8 +487,22 @@ Multilevel_transport_solver::solve_levels(Mass_distribution masses,
     if(level == finest)
       level_options.warm_start = options.warm_start; // the final state of a query of this level
     Vector vertex_masses = masses_at_vertices(*current.triangles, current.area, solution.masses);
-    merge_exits(vertex_masses, current.exits);
+    merge_vertices(vertex_masses, current.exits);
     solution.result = current.solver->solve(vertex_masses, level_options, limited_exits(current));
+    // Merging vertices changes distances by the lengths of the merged edges, so that the first
+    // attempt is limited to edges of length zero, up to round-off errors.
+    for(const double max_length : {1e-9, 1e-6, 1e-4, 1e-3})
+      if(!solution.result.is_converged && !is_cancelled && current.exits.empty() &&
+         current.metric.empty())
+        if(const Close_vertices close = close_vertices(*current.triangles, max_length);
+           !close.groups.empty())
+        {
+          level_options.warm_start = {};
+          Transport_result merged =
+              solve_with_merged_vertices(*current.triangles, vertex_masses, close, level_options);
+          if(merged.upper - merged.lower < solution.result.upper - solution.result.lower)
+            solution.result = std::move(merged);
+        }
     progress = stage_weight;
     stage_weight = 1. - stage_weight;
   }

@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -16,9 +17,13 @@ namespace {
 double edge_length(const Operators& operators, std::size_t c)
 {
   const Vec2* gradient = &operators.hat_gradient[c - c % 3];
+  const double parallelogram = std::abs(cross(gradient[c % 3], gradient[(c + 1) % 3]));
+  // The gradients of a triangle that became an edge are parallel; one of them is zero.
+  if(parallelogram == 0.)
+    return 1. / std::max(norm(gradient[c % 3]), norm(gradient[(c + 1) % 3]));
   // The gradient of the opposite corner is one over its height. Its product with the length of the
   // edge is one over the area, up to a factor.
-  return norm(gradient[(c + 2) % 3]) / std::abs(cross(gradient[c % 3], gradient[(c + 1) % 3]));
+  return norm(gradient[(c + 2) % 3]) / parallelogram;
 }
 
 } // namespace

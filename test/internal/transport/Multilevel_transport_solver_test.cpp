@@ -95,6 +95,42 @@ TEST(Multilevel_transport_solver, bounds_contain_the_distance_between_triangles_
   }
 }
 
+// Each diagonal of a grid has a vertex near its end, which only one of its triangles uses. The gap
+// is a triangle without area.
+TEST(Multilevel_transport_solver, converges_across_triangles_without_area)
+{
+  for(const double distance : {0., 1e-10, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 0.3})
+  {
+    const Index n = 10;
+    Triangulation plane = square(n);
+    const std::vector<Index> corners = std::exchange(plane.corners, {});
+    for(std::size_t f = 0; f < corners.size(); f += 6)
+    {
+      const Index a = corners[f], b = corners[f + 1], c = corners[f + 2], d = corners[f + 5];
+      ASSERT_EQ(corners[f + 3], a);
+      ASSERT_EQ(corners[f + 4], c);
+      const Index p = Index(plane.points.size());
+      plane.points.push_back(plane.points[a] + distance * (plane.points[c] - plane.points[a]));
+      plane.corners.insert(plane.corners.end(), {a, b, c, a, p, d, p, c, d, a, c, p});
+    }
+    const Array_surface surface(plane);
+    const Index from = 1, to = (n + 1) * n;
+    const double exact = test::distance(plane.points[from], plane.points[to]);
+    for(const unsigned refinements : {0u, 1u})
+    {
+      const Multilevel_transport_solver solver(surface.triangles(), refinements);
+      const Transport_result found =
+          solver.solve(at(surface.at(from)), at(surface.at(to)), with_tolerance(1e-3, true));
+      EXPECT_TRUE(found.is_converged) << distance << ' ' << refinements;
+      // Thickened triangles are crossed, at most two in each cell.
+      EXPECT_LE(found.lower, exact * (1. + 1e-6)) << distance;
+      EXPECT_GE(found.upper_continuous, exact * (1. - round_off)) << distance;
+      // The cost of masses that the flow does not move is part of the gap.
+      EXPECT_LT(found.residual, 1e-3) << distance;
+    }
+  }
+}
+
 TEST(Multilevel_transport_solver, converges_under_refinement)
 {
   const Array_surface surface(jittered(icosphere(2), 0.03));

@@ -62,7 +62,8 @@ inline Metric_tensor inverse(const Metric_tensor& a)
 
 // The treatment of triangles whose height is less than 1e-7 times their shortest edge.
 // - `skipped`: the area is set to zero, and all gradients vanish there.
-// - `thickened`: the height is set to that limit, so that the adjacent vertices stay connected.
+// - `thickened`: the height is set to that limit, but at least to 1e-9, so that the adjacent
+//   vertices stay connected. The longest edge of the surface has a length between 1 and 2.
 //
 // If the corners are collinear, round-off errors of the lengths can cause a height of up to 1e-8.
 // The limit refers to the shortest edge. Hence needles with a tiny short edge are regular
