@@ -4,6 +4,8 @@
 // The checker of the mass test reports each invariant if it is violated.
 #include "check_results.h"
 
+#include "mesh_properties.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -312,6 +314,24 @@ TEST_F(Check_results, edges_of_length_zero_have_a_minimum_length)
 }
 
 // CGAL reads no faces from a PLY file with triangle strips.
+// Two triangles that share an edge only geometrically, and one at the other side of the first.
+TEST(Mesh_properties, triangle_across_slit_is_not_degenerate)
+{
+  using namespace mass_test;
+  const Soup slit = {
+      {{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {1., 0., 0.}, {0., 0., 0.}, {1., -1., 0.}},
+      {{0, 1, 2}, {3, 4, 5}}};
+  const std::vector<Slit_edge> edges = slit_edges(slit);
+  ASSERT_EQ(edges.size(), 2u);
+  for(const Slit_edge& edge : edges)
+    EXPECT_EQ(CGAL::squared_distance(edge[0], edge[1]), 1.);
+  const Soup across = {{{0.25, 0., 0.}, {0.25, 0., 0.}, {0., 1., 0.}}, {{0, 1, 2}}},
+             beside = {{{0.25, 0.25, 0.}, {0.25, 0.25, 0.}, {0., 1., 0.}}, {{0, 1, 2}}};
+  EXPECT_EQ(number_of_degenerate_faces(across, edges), 0u);
+  EXPECT_EQ(number_of_degenerate_faces(across, {}), 1u);
+  EXPECT_EQ(number_of_degenerate_faces(beside, edges), 1u);
+}
+
 TEST_F(Check_results, triangle_strips_are_no_violation)
 {
   Files files = good_results();

@@ -11,7 +11,10 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace mass_test {
@@ -47,13 +50,46 @@ bool intersects_itself(const Soup& soup)
   return PMP::does_self_intersect(mesh);
 }
 
-std::size_t number_of_degenerate_faces(const Soup& soup)
+std::vector<Slit_edge> slit_edges(const Soup& soup)
 {
+  std::map<Point, std::size_t> number_at;
+  for(const Point& p : soup.points)
+    ++number_at[p];
+  std::map<std::array<std::size_t, 2>, std::size_t> number_of_polygons;
+  for(const auto& polygon : soup.polygons)
+    for(std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      const auto [v, w] = std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]);
+      ++number_of_polygons[{v, w}];
+    }
+  std::vector<Slit_edge> result;
+  for(const auto& [ends, number] : number_of_polygons)
+    if(const Point& p = soup.points[ends[0]], &q = soup.points[ends[1]];
+       number == 1 && number_at[p] > 1 && number_at[q] > 1)
+      result.push_back({p, q});
+  return result;
+}
+
+std::size_t number_of_degenerate_faces(const Soup& soup, const std::vector<Slit_edge>& slits)
+{
+  // The round-off error of an interpolated point, relative to the length of the edge.
+  constexpr double round_off = 1e-9;
+  const auto is_on_slit = [&](const Point& p)
+  {
+    return std::any_of(slits.begin(), slits.end(),
+                       [&](const Slit_edge& edge)
+                       {
+                         return CGAL::squared_distance(p, Kernel::Segment_3(edge[0], edge[1])) <=
+                                round_off * round_off * CGAL::squared_distance(edge[0], edge[1]);
+                       });
+  };
   const auto is_degenerate = [&](const std::vector<std::size_t>& triangle)
   {
-    const Point &p = soup.points[triangle[0]], &q = soup.points[triangle[1]],
-                &r = soup.points[triangle[2]];
-    return p == q || q == r || r == p;
+    for(std::size_t k = 0; k < 3; ++k)
+      if(const Point& p = soup.points[triangle[k]];
+         p == soup.points[triangle[(k + 1) % 3]] && !is_on_slit(p))
+        return true;
+    return false;
   };
   return std::size_t(std::count_if(soup.polygons.begin(), soup.polygons.end(), is_degenerate));
 }

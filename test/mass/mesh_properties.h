@@ -5,6 +5,7 @@
 
 #include "Results.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -31,8 +32,14 @@ std::optional<Topology> topology_of(const Soup& soup);
 // The soup must be a polygon mesh. The test is exact.
 bool intersects_itself(const Soup& soup);
 
-// Returns the number of triangles with two corners at the same point.
-std::size_t number_of_degenerate_faces(const Soup& soup);
+// A boundary edge whose ends are at the points of other vertices, too. Both sides of a slit consist
+// of such edges. A mesh of the surface can have a triangle with one corner on each side.
+using Slit_edge = std::array<Point, 2>;
+
+std::vector<Slit_edge> slit_edges(const Soup& soup);
+
+// Returns the number of triangles with two corners at the same point, which is not on a slit.
+std::size_t number_of_degenerate_faces(const Soup& soup, const std::vector<Slit_edge>& slits);
 
 // Returns the chart of each face. Faces with a common texture coordinate are in the same chart.
 std::vector<std::size_t> charts(const Textured_mesh& mesh);
