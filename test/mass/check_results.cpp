@@ -470,7 +470,7 @@ void check_remeshing(Results& results, const std::string& command, const Input& 
   // A surface that is split at an edge has two vertices at the same point.
   const nlohmann::json& info = results.json("info");
   const double degenerate =
-      double(number_of_degenerate_faces(*soup, slit_edges({given.points, given.polygons})));
+      double(number_of_degenerate_faces(*soup, {given.points, given.polygons}));
   results.expect(degenerate == 0. || !info.value("manifold", false) ||
                      info.value("degenerate_faces", 0) > 0,
                  command, "% faces have two corners at the same point", {degenerate});

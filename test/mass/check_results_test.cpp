@@ -314,22 +314,29 @@ TEST_F(Check_results, edges_of_length_zero_have_a_minimum_length)
 }
 
 // CGAL reads no faces from a PLY file with triangle strips.
-// Two triangles that share an edge only geometrically, and one at the other side of the first.
-TEST(Mesh_properties, triangle_across_slit_is_not_degenerate)
+TEST(Mesh_properties, faces_between_touching_faces_are_not_degenerate)
 {
   using namespace mass_test;
+  // Two triangles that share an edge only geometrically: a slit.
   const Soup slit = {
       {{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {1., 0., 0.}, {0., 0., 0.}, {1., -1., 0.}},
       {{0, 1, 2}, {3, 4, 5}}};
-  const std::vector<Slit_edge> edges = slit_edges(slit);
-  ASSERT_EQ(edges.size(), 2u);
-  for(const Slit_edge& edge : edges)
-    EXPECT_EQ(CGAL::squared_distance(edge[0], edge[1]), 1.);
-  const Soup across = {{{0.25, 0., 0.}, {0.25, 0., 0.}, {0., 1., 0.}}, {{0, 1, 2}}},
-             beside = {{{0.25, 0.25, 0.}, {0.25, 0.25, 0.}, {0., 1., 0.}}, {{0, 1, 2}}};
-  EXPECT_EQ(number_of_degenerate_faces(across, edges), 0u);
-  EXPECT_EQ(number_of_degenerate_faces(across, {}), 1u);
-  EXPECT_EQ(number_of_degenerate_faces(beside, edges), 1u);
+  EXPECT_TRUE(touches_itself_at(slit, {0.25, 0., 0.}));
+  EXPECT_FALSE(touches_itself_at(slit, {0.25, 0.25, 0.}));
+  EXPECT_FALSE(touches_itself_at(slit, {2., 2., 2.}));
+  // The same triangles with a common edge.
+  const Soup joined = {slit.points, {{0, 1, 2}, {1, 0, 5}}};
+  EXPECT_FALSE(touches_itself_at(joined, {0.25, 0., 0.}));
+  EXPECT_FALSE(touches_itself_at(joined, {0., 0., 0.}));
+  // Two faces of a sheet without thickness, which have two common edges.
+  const Soup sheet = {{{0., 0., 0.}, {1., 0., 0.}, {1., 1., 0.}, {0., 1., 0.}},
+                      {{0, 1, 2, 3}, {2, 1, 0, 3}}};
+  EXPECT_TRUE(touches_itself_at(sheet, {0.25, 0.25, 0.}));
+  EXPECT_FALSE(touches_itself_at(sheet, {0.25, 0., 0.}));
+
+  const Soup across = {{{0.25, 0., 0.}, {0.25, 0., 0.}, {0., 1., 0.}}, {{0, 1, 2}}};
+  EXPECT_EQ(number_of_degenerate_faces(across, slit), 0u);
+  EXPECT_EQ(number_of_degenerate_faces(across, joined), 1u);
 }
 
 TEST_F(Check_results, triangle_strips_are_no_violation)

@@ -14,7 +14,7 @@
 #include <array>
 #include <iterator>
 #include <map>
-#include <utility>
+#include <set>
 #include <vector>
 
 namespace mass_test {
@@ -50,44 +50,62 @@ bool intersects_itself(const Soup& soup)
   return PMP::does_self_intersect(mesh);
 }
 
-std::vector<Slit_edge> slit_edges(const Soup& soup)
+bool touches_itself_at(const Soup& soup, const Point& point)
 {
-  std::map<Point, std::size_t> number_at;
-  for(const Point& p : soup.points)
-    ++number_at[p];
-  std::map<std::array<std::size_t, 2>, std::size_t> number_of_polygons;
-  for(const auto& polygon : soup.polygons)
+  // The round-off error of an interpolated point, relative to the length of an edge.
+  constexpr double round_off = 1e-9;
+  const auto is_near = [&](const auto& element, double squared_size)
+  { return CGAL::squared_distance(point, element) <= round_off * round_off * squared_size; };
+  // The parts of faces that contain the point are adjacent if they share an edge that contains it,
+  // or a vertex at it.
+  boost::disjoint_sets_with_storage<> sets(soup.points.size() + soup.polygons.size());
+  std::set<std::size_t> containing;
+  std::map<std::array<std::size_t, 2>, std::size_t> polygon_at_edge;
+  for(std::size_t f = 0; f < soup.polygons.size(); ++f)
+  {
+    const std::vector<std::size_t>& polygon = soup.polygons[f];
+    const std::size_t set = soup.points.size() + f;
+    const auto at = [&](std::size_t i) -> const Point& { return soup.points[polygon[i]]; };
+    const auto contains = [&](std::size_t i)
+    {
+      const Kernel::Triangle_3 triangle(at(0), at(i), at(i + 1));
+      const double squared_size =
+          std::max(CGAL::squared_distance(at(0), at(i)), CGAL::squared_distance(at(0), at(i + 1)));
+      return triangle.is_degenerate() ? is_near(Kernel::Segment_3(at(0), at(i)), squared_size)
+                                      : is_near(triangle, squared_size);
+    };
+    bool is_containing = false;
+    for(std::size_t i = 1; i + 1 < polygon.size(); ++i)
+      is_containing = is_containing || contains(i);
+    if(!is_containing)
+      continue;
+    containing.insert(f);
     for(std::size_t i = 0; i < polygon.size(); ++i)
     {
-      const auto [v, w] = std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]);
-      ++number_of_polygons[{v, w}];
+      const std::size_t j = (i + 1) % polygon.size();
+      const double squared_length = CGAL::squared_distance(at(i), at(j));
+      if(is_near(at(i), squared_length))
+        sets.union_set(set, polygon[i]);
+      if(!is_near(Kernel::Segment_3(at(i), at(j)), squared_length))
+        continue;
+      const auto [v, w] = std::minmax(polygon[i], polygon[j]);
+      sets.union_set(set,
+                     soup.points.size() + polygon_at_edge.try_emplace({v, w}, f).first->second);
     }
-  std::vector<Slit_edge> result;
-  for(const auto& [ends, number] : number_of_polygons)
-    if(const Point& p = soup.points[ends[0]], &q = soup.points[ends[1]];
-       number == 1 && number_at[p] > 1 && number_at[q] > 1)
-      result.push_back({p, q});
-  return result;
+  }
+  std::set<std::size_t> roots;
+  for(const std::size_t f : containing)
+    roots.insert(sets.find_set(soup.points.size() + f));
+  return roots.size() > 1;
 }
 
-std::size_t number_of_degenerate_faces(const Soup& soup, const std::vector<Slit_edge>& slits)
+std::size_t number_of_degenerate_faces(const Soup& soup, const Soup& input)
 {
-  // The round-off error of an interpolated point, relative to the length of the edge.
-  constexpr double round_off = 1e-9;
-  const auto is_on_slit = [&](const Point& p)
-  {
-    return std::any_of(slits.begin(), slits.end(),
-                       [&](const Slit_edge& edge)
-                       {
-                         return CGAL::squared_distance(p, Kernel::Segment_3(edge[0], edge[1])) <=
-                                round_off * round_off * CGAL::squared_distance(edge[0], edge[1]);
-                       });
-  };
   const auto is_degenerate = [&](const std::vector<std::size_t>& triangle)
   {
     for(std::size_t k = 0; k < 3; ++k)
       if(const Point& p = soup.points[triangle[k]];
-         p == soup.points[triangle[(k + 1) % 3]] && !is_on_slit(p))
+         p == soup.points[triangle[(k + 1) % 3]] && !touches_itself_at(input, p))
         return true;
     return false;
   };

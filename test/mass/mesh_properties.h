@@ -5,7 +5,6 @@
 
 #include "Results.h"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -32,14 +31,13 @@ std::optional<Topology> topology_of(const Soup& soup);
 // The soup must be a polygon mesh. The test is exact.
 bool intersects_itself(const Soup& soup);
 
-// A boundary edge whose ends are at the points of other vertices, too. Both sides of a slit consist
-// of such edges. A mesh of the surface can have a triangle with one corner on each side.
-using Slit_edge = std::array<Point, 2>;
+// Returns whether the surface touches itself at a point: the point is on several faces that are not
+// adjacent there, for example on both sides of a slit or of a sheet without thickness.
+bool touches_itself_at(const Soup& soup, const Point& point);
 
-std::vector<Slit_edge> slit_edges(const Soup& soup);
-
-// Returns the number of triangles with two corners at the same point, which is not on a slit.
-std::size_t number_of_degenerate_faces(const Soup& soup, const std::vector<Slit_edge>& slits);
+// Returns the number of triangles with two corners at the same point, at which the input does not
+// touch itself.
+std::size_t number_of_degenerate_faces(const Soup& soup, const Soup& input);
 
 // Returns the chart of each face. Faces with a common texture coordinate are in the same chart.
 std::vector<std::size_t> charts(const Textured_mesh& mesh);
