@@ -338,9 +338,11 @@ void check_path(Results& results, const Input& input)
                  {double(results.target())});
   results.expect(length >= distance(begin, end) * (1. - round_off), "path",
                  "the length is %, but the straight distance is %", {length, distance(begin, end)});
+  // Thin triangles cause errors of exact distances, which are at most those of lower bounds.
   if(!input.exact.empty())
-    results.expect(std::abs(length - input.exact[results.target()]) <= round_off * length, "path",
-                   "the length is %, but the exact distance is %",
+    results.expect(std::abs(length - input.exact[results.target()]) <=
+                       round_off * length + (triangles ? gap : 0.),
+                   "path", "the length is %, but the exact distance is %",
                    {length, input.exact[results.target()]});
 }
 
