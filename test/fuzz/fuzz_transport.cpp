@@ -401,8 +401,10 @@ private:
       const bool is_connected = m_connected.distance(b) < infinity;
       const GP::Earth_movers_cost there = metric->cost(a, b), back = metric->cost(b, a);
       require(!std::isnan(there.value), "a cost is a number");
-      require((there.value < infinity) == is_connected,
-              "the distance is infinite between components only");
+      // A surfel at the point of another one has no triangles.
+      if constexpr(is_mesh)
+        require((there.value < infinity) == is_connected,
+                "the distance is infinite between components only");
       // The flow of needles does not move all masses, and its cost does not contain the remaining
       // ones.
       if(has_needles(m_surface))
