@@ -36,6 +36,15 @@ std::vector<Index> refined(const Surface_arrays& coarse, const Surface_arrays& f
   return result;
 }
 
+// Returns whether the interior point method did not converge because of round-off errors: it takes
+// few iterations, and did not stop at a limit of the caller.
+bool is_stuck(const Transport_result& result, const Transport_options& options)
+{
+  return !result.is_converged && options.method == Transport_method::interior_point &&
+         (options.maximum_iterations == 0 ||
+          result.number_of_iterations < options.maximum_iterations);
+}
+
 // Solves with one unknown for all vertices that are close to each other. The flow does not move
 // masses between them. The cost of moving these masses along tiny edges is added to the upper bound.
 Transport_result solve_with_merged_vertices(const Surface_arrays& triangles, const Vector& masses,
@@ -491,9 +500,10 @@ Multilevel_transport_solver::solve_levels(Mass_distribution masses,
     solution.result = current.solver->solve(vertex_masses, level_options, limited_exits(current));
     // Merging vertices changes distances by the lengths of the merged edges, so that the first
     // attempt is limited to edges of length zero, up to round-off errors.
+    const bool can_merge =
+        is_stuck(solution.result, options) && current.exits.empty() && current.metric.empty();
     for(const double max_length : {1e-9, 1e-6, 1e-4, 1e-3})
-      if(!solution.result.is_converged && !is_cancelled && current.exits.empty() &&
-         current.metric.empty())
+      if(can_merge && !solution.result.is_converged && !is_cancelled)
         if(const Close_vertices close = close_vertices(*current.triangles, max_length);
            !close.groups.empty())
         {
