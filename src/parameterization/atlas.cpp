@@ -7,6 +7,7 @@
 #include "mesh/patches.h"
 #include "core/unfold.h"
 
+#include <iterator>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -44,20 +45,47 @@ Index label_remaining_components(const Surface_arrays& t, std::vector<Index>& pa
              : number_of_patches + Index(split_into_disks(t, patch, number_of_patches).size());
 }
 
+// Packings are repeated at most so often after charts have been split.
+constexpr unsigned max_splits = 8;
+
+Packing pack_charts(const std::vector<Chart>& charts, const Atlas_options& options)
+{
+  std::vector<Outline> outlines;
+  for(const Chart& chart : charts)
+    outlines.push_back(outline(chart));
+  return pack(outlines, options.texels, options.gutter, options.tessellation.number_of_threads);
+}
+
+// Returns a chart whose image are the rounded texture coordinates of a packed one.
+Chart placed(Chart chart, const Packing& packing, Index i, std::size_t texels)
+{
+  for(Vec2& p : chart.image)
+    p = (1. / double(texels)) * packing(i, p);
+  return chart;
+}
+
 // Writes the texture coordinates of packed charts, the chart of each triangle, and the statistics.
+// Returns the charts that are not injective any more, because coordinates are rounded.
 //
 // result.chart  has the size #triangles
-void place_charts(const Surface_arrays& t, const std::vector<Chart>& charts, const Packing& packing,
-                  std::size_t texels, Atlas& result)
+std::vector<Index> place_charts(const Surface_arrays& t, const std::vector<Chart>& charts,
+                                const Packing& packing, std::size_t texels, Atlas& result)
 {
   result.coordinates.resize(t.corner.size());
+  result.number_of_charts = charts.size();
+  result.texels_per_length = packing.scale;
+  result.number_of_flips = result.number_of_overlaps = 0;
+  result.coverage = 0.;
+  std::vector<Index> not_injective;
   for(Index i = 0; i < charts.size(); ++i)
   {
-    Chart placed_chart = charts[i];
-    for(Vec2& p : placed_chart.image)
-      p = (1. / double(texels)) * packing(i, p);
-    result.number_of_flips += number_of_flips(placed_chart);
-    result.number_of_overlaps += find_self_intersection(outline(placed_chart)).has_value();
+    const Chart placed_chart = placed(charts[i], packing, i, texels);
+    const std::size_t flips = number_of_flips(placed_chart);
+    const bool does_overlap = find_self_intersection(outline(placed_chart)).has_value();
+    result.number_of_flips += flips;
+    result.number_of_overlaps += does_overlap;
+    if(flips > 0 || does_overlap)
+      not_injective.push_back(i);
     for(std::size_t f = 0; f < placed_chart.triangles.size(); ++f)
     {
       std::array<Vec2, 3> corners;
@@ -68,6 +96,26 @@ void place_charts(const Surface_arrays& t, const std::vector<Chart>& charts, con
       result.coverage += cross(corners[1] - corners[0], corners[2] - corners[0]) / 2.;
     }
   }
+  return not_injective;
+}
+
+// Splits the given charts where their placed images overlap. The pieces follow the other charts.
+// Returns whether a chart was split: one of a single triangle is not.
+bool split_placed_charts(std::vector<Chart>& charts, const std::vector<Index>& which,
+                         const Packing& packing, std::size_t texels)
+{
+  std::vector<Chart> pieces;
+  for(const Index i : which)
+    if(charts[i].triangles.size() > 1)
+    {
+      const auto [first, second] = triangles_to_separate(placed(charts[i], packing, i, texels));
+      std::vector<Chart> split = split_chart(charts[i], first, second);
+      charts[i] = std::move(split.back());
+      split.pop_back();
+      std::move(split.begin(), split.end(), std::back_inserter(pieces));
+    }
+  std::move(pieces.begin(), pieces.end(), std::back_inserter(charts));
+  return !pieces.empty();
 }
 
 } // namespace
@@ -101,20 +149,19 @@ Atlas make_atlas(std::shared_ptr<const Surface_arrays> triangles, const Front& f
   Chart_options flattening = options.charts;
   flattening.number_of_threads = tessellation.number_of_threads;
   flattening.callback = subrange(0.4, 0.8);
-  const std::vector<Chart> charts =
-      injective_charts(t, result.chart, number_of_patches, flattening);
+  std::vector<Chart> charts = injective_charts(t, result.chart, number_of_patches, flattening);
   result.is_complete = !charts.empty() || result.chart.empty();
   if(!result.is_complete)
     return result;
-  result.number_of_charts = charts.size();
 
-  std::vector<Outline> outlines;
-  for(const Chart& chart : charts)
-    outlines.push_back(outline(chart));
-  const Packing packing =
-      pack(outlines, options.texels, options.gutter, options.tessellation.number_of_threads);
-  result.texels_per_length = packing.scale;
-  place_charts(t, charts, packing, options.texels, result);
+  for(unsigned splits = 0;; ++splits)
+  {
+    const Packing packing = pack_charts(charts, options);
+    const std::vector<Index> not_injective =
+        place_charts(t, charts, packing, options.texels, result);
+    if(splits == max_splits || !split_placed_charts(charts, not_injective, packing, options.texels))
+      break;
+  }
   return result;
 }
 

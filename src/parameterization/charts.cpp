@@ -97,26 +97,6 @@ std::vector<Vec2> initial_map(const Surface_arrays& surface)
   return tutte_map(surface);
 }
 
-// Splits a chart between two triangles into disks, which keep their part of its map.
-std::vector<Chart> split_chart(const Chart& chart, Index first, Index second)
-{
-  std::vector<Index> patch = bisect_patch(chart.surface, first, second);
-  const auto new_patches = split_into_disks(chart.surface, patch, 2);
-  std::vector<Chart> result = extract_charts(chart.surface, patch, Index(2 + new_patches.size()));
-  for(Chart& piece : result)
-  {
-    piece.image.resize(piece.surface.number_of_vertices());
-    for(Index f = 0; f < piece.triangles.size(); ++f)
-    {
-      for(Index k = 0; k < 3; ++k)
-        piece.image[piece.surface.corner[3 * f + k]] =
-            chart.image[chart.surface.corner[3 * piece.triangles[f] + k]];
-      piece.triangles[f] = chart.triangles[piece.triangles[f]];
-    }
-  }
-  return result;
-}
-
 // Computes the image of a chart. If no injective image is found, returns the pieces to flatten
 // instead.
 std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
@@ -152,22 +132,8 @@ std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
       return {};
     std::swap(chart.image, initial_image);
   }
-
-  // Splits between two boundary edges that intersect. Otherwise it splits between the ends of the
-  // longest extent: charts that are too distorted are long. This also covers triangles inverted by
-  // round-off errors.
-  auto [first, second] = farthest_triangle_pair(surface);
-  if(!is_too_distorted && number_of_flips(chart) == 0)
-  {
-    std::vector<Index> halfedges;
-    const Outline boundary = outline(chart, &halfedges);
-    if(const auto intersection = find_self_intersection(boundary);
-       intersection && halfedges[intersection->first] / 3 != halfedges[intersection->second] / 3)
-    {
-      first = halfedges[intersection->first] / 3;
-      second = halfedges[intersection->second] / 3;
-    }
-  }
+  const auto [first, second] =
+      is_too_distorted ? farthest_triangle_pair(surface) : triangles_to_separate(chart);
   return split_chart(chart, first, second);
 }
 
@@ -237,6 +203,42 @@ std::size_t number_of_flips(const Chart& chart)
 bool is_injective(const Chart& chart)
 {
   return number_of_flips(chart) == 0 && !find_self_intersection(outline(chart));
+}
+
+std::array<Index, 2> triangles_to_separate(const Chart& chart)
+{
+  if(number_of_flips(chart) == 0)
+  {
+    std::vector<Index> halfedges;
+    const Outline boundary = outline(chart, &halfedges);
+    if(const auto intersection = find_self_intersection(boundary))
+    {
+      const Index first = halfedges[intersection->first] / 3,
+                  second = halfedges[intersection->second] / 3;
+      if(first != second)
+        return {first, second};
+    }
+  }
+  return farthest_triangle_pair(chart.surface);
+}
+
+std::vector<Chart> split_chart(const Chart& chart, Index first, Index second)
+{
+  std::vector<Index> patch = bisect_patch(chart.surface, first, second);
+  const auto new_patches = split_into_disks(chart.surface, patch, 2);
+  std::vector<Chart> result = extract_charts(chart.surface, patch, Index(2 + new_patches.size()));
+  for(Chart& piece : result)
+  {
+    piece.image.resize(piece.surface.number_of_vertices());
+    for(Index f = 0; f < piece.triangles.size(); ++f)
+    {
+      for(Index k = 0; k < 3; ++k)
+        piece.image[piece.surface.corner[3 * f + k]] =
+            chart.image[chart.surface.corner[3 * piece.triangles[f] + k]];
+      piece.triangles[f] = chart.triangles[piece.triangles[f]];
+    }
+  }
+  return result;
 }
 
 std::vector<Chart> injective_charts(const Surface_arrays& t, const std::vector<Index>& patch,

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/parameterization/outline.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -40,6 +41,17 @@ std::size_t number_of_flips(const Chart& chart);
 // it, which is once.
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_injective(const Chart& chart);
+
+// Returns two triangles between which a split makes a chart injective: those whose boundary edges
+// intersect, or, if triangles are inverted or no boundary edges of two triangles intersect, those at
+// the ends of the longest extent, because charts that are too distorted are long.
+// \pre The chart has at least two triangles.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::array<Index, 2> triangles_to_separate(const Chart& chart);
+
+// Splits a chart between two triangles into disks, which keep their part of its map.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<Chart> split_chart(const Chart& chart, Index first, Index second);
 
 struct Chart_options
 {
