@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/remeshing/base_map.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
+
 #include "mesh/Split_mesh.h"
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
@@ -33,6 +35,8 @@ constexpr double min_height_ratio = 1e-8;
 constexpr double min_step_ratio = 1e-12;
 // Maximum tangent of half an angle in mean value weights. It is exceeded by needles only.
 constexpr double max_tangent = 1e4;
+// Maximum number of times that samples are added in regions with inverted triangles.
+constexpr unsigned max_rounds = 10;
 
 // Sorts indices by group: the members of group g are items[offsets[g]], ..., items[offsets[g + 1] -
 // 1].
@@ -214,9 +218,43 @@ private:
       }
     }
     if(!is_valid)
+    {
       m_result.m_number_of_flips += store_coordinates(false);
+      add_center(region);
+    }
     for(const Index vertex : m_vertices)
       m_local_index[vertex] = none;
+  }
+
+  // Adds the vertex of the current region that is farthest from the base edges, unless all vertices
+  // are on these.
+  void add_center(Index region)
+  {
+    if(m_number_of_interior == 0)
+      return;
+    std::vector<bool> is_seen(m_vertices.size(), false);
+    std::vector<Index> queue;
+    for(std::size_t i = m_number_of_interior; i < m_vertices.size(); ++i)
+    {
+      queue.push_back(Index(i));
+      is_seen[i] = true;
+    }
+    for(std::size_t next = 0; next < queue.size(); ++next)
+    {
+      const Index vertex = m_vertices[queue[next]];
+      for(Index i = m_fine.ring_begin[vertex]; i < m_fine.ring_begin[vertex + 1]; ++i)
+        if(m_base.region[m_fine.ring[i] / 3] == region)
+          for(const Index corner :
+              {next_halfedge(m_fine.ring[i]), previous_halfedge(m_fine.ring[i])})
+            if(const Index other = m_local_index[m_fine.corner[corner]]; !is_seen[other])
+            {
+              is_seen[other] = true;
+              queue.push_back(other);
+            }
+    }
+    const Index corner = m_fine.ring[m_fine.ring_begin[m_vertices[queue.back()]]];
+    m_result.m_centers_of_inverted_regions.push_back(
+        {m_base.parent[corner / 3], none, m_base.barycentric[corner]});
   }
 
   // Collects the vertices of a region, the interior ones first, and sets the coordinates of those
@@ -510,6 +548,40 @@ Surface_location Base_map::inverse(const Base_location& location) const
     result.barycentric = interpolate(clamp_barycentric(b), {corner[0], corner[1], corner[2]});
   }
   return result;
+}
+
+std::shared_ptr<const Base_map>
+build_base_map(const std::shared_ptr<const Surface_arrays>& triangles, Remeshing_options options,
+               Base_coordinates kind)
+{
+  std::shared_ptr<const Base_map> best;
+  for(unsigned round = 0; round <= max_rounds; ++round)
+  {
+    std::shared_ptr<const Base_map> map;
+    try
+    {
+      auto base = std::make_shared<const Base_mesh>(build_base_mesh(triangles, options));
+      if(!base->is_finished)
+        return nullptr;
+      map = std::make_shared<const Base_map>(std::move(base), kind);
+    }
+    catch(const Unsupported_surface_error&)
+    {
+      // The edges between the additional samples cannot be traced.
+      if(!best)
+        throw;
+      break;
+    }
+    if(!best || map->number_of_flips() < best->number_of_flips())
+      best = map;
+    if(map->centers_of_inverted_regions().empty())
+      break;
+    for(const Surface_location& center : map->centers_of_inverted_regions())
+      options.first_samples.push_back(canonical(*triangles, center));
+    if(round == 0 && options.callback)
+      options.callback = [callback = options.callback](double) { return callback(1.); };
+  }
+  return best;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -77,7 +77,8 @@ struct Base_location
 /// Heron coordinates can fold triangles of the mesh if the curvature within a base face is high. If
 /// coordinates fold a triangle, the whole base face gets mean value coordinates. If round-off
 /// errors fold triangles of these, it gets uniform coordinates. Both are convex combinations, which
-/// do not fold triangles and have the same boundary values (Tutte 1963, Floater 1997).
+/// do not fold triangles and have the same boundary values (Tutte 1963, Floater 1997). If round-off
+/// errors fold triangles of these, too, base vertices are added inside the base face.
 ///
 /// The object stores the descriptors of the mesh, as a `Mesh_domain` does, but not the mesh.
 /// Members that do not state their time take O(1) time.
@@ -96,7 +97,8 @@ public:
   /// Computes the base mesh and the map.
   ///
   /// \param surface a mesh, all of whose faces are triangles, or a cloud
-  /// \param number the number of base vertices; more are added if the topology requires them
+  /// \param number the number of base vertices; more are added if the topology requires them, or if
+  ///        triangles would be inverted
   /// \param np parameters of `make_domain()`; `random_seed`, `number_of_relaxation_steps`,
   ///        `first_samples`, `speed_map`, `face_speed_map`, `sharp_angle`,
   ///        `edge_is_constrained_map`, `curve_spacing`, `edge_spacing_map` and `callback` as for
@@ -158,7 +160,7 @@ public:
   }
 
   /// Returns the number of inverted triangles. It is zero unless round-off errors invert triangles
-  /// with uniform coordinates.
+  /// after base vertices have been added ten times.
   std::size_t number_of_flips() const { return m_map->number_of_flips(); }
   /// Returns the number of base faces whose coordinates were replaced by another kind.
   std::size_t number_of_repaired_faces() const { return m_map->number_of_repaired_regions(); }
@@ -234,15 +236,13 @@ Base_parameterization<Surface>::Base_parameterization(const internal::Domain_of<
                                                       std::size_t number, const NamedParameters& np)
     : m_domain(domain)
 {
-  auto base = std::make_shared<internal::Base_mesh>(internal::build_base_mesh(
-      m_domain.triangles(), internal::base_mesh_options(m_domain, number, np)));
-  if(!base->is_finished)
-    throw Cancelled();
-  if(base->triangles.empty())
-    throw Invalid_argument_error("The mesh has no triangles.");
-  m_map = std::make_shared<const internal::Base_map>(
-      std::move(base),
+  m_map = internal::build_base_map(
+      m_domain.triangles(), internal::base_mesh_options(m_domain, number, np),
       internal::parameter(np, internal_np::base_coordinates, Base_coordinates::heron));
+  if(!m_map)
+    throw Cancelled();
+  if(m_map->base().triangles.empty())
+    throw Invalid_argument_error("The mesh has no triangles.");
 }
 
 } // namespace CGAL::Geodesic_processing

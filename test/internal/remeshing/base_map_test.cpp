@@ -288,28 +288,59 @@ TEST(Base_map, handles_zero_angles)
   }
 }
 
-// A tube of 40 rings, closed at one end. The size of the images decreases exponentially with the
-// distance from the boundary, so that mean value coordinates must be repaired.
-TEST(Base_map, does_not_repair_uniform_coordinates)
+// A tube of rings, closed at one end. In convex combinations, the size of the images decreases
+// exponentially with the distance from the boundary.
+Triangulation closed_tube(Index rings, Index size)
 {
   Triangulation surface;
-  constexpr Index rings = 40;
   for(Index i = 0; i < rings; ++i)
-    for(const Point& p : {Point{1., 0., 0.}, Point{-0.5, 0.9, 0.}, Point{-0.5, -0.9, 0.}})
-      surface.points.push_back({p[0], p[1], double(i)});
-  for(Index i = 0; i + 1 < rings; ++i)
-    for(Index k = 0; k < 3; ++k)
+    for(Index k = 0; k < size; ++k)
     {
-      const Index a = 3 * i + k, b = 3 * i + (k + 1) % 3;
-      surface.corners.insert(surface.corners.end(), {a, b, b + 3, a, b + 3, a + 3});
+      const double angle = 2. * pi * k / size;
+      surface.points.push_back({std::cos(angle), std::sin(angle), double(i)});
     }
-  for(Index k = 3; k > 0; --k)
-    surface.corners.push_back(3 * rings - k);
-  const Array_surface arrays(surface);
+  for(Index i = 0; i + 1 < rings; ++i)
+    for(Index k = 0; k < size; ++k)
+    {
+      const Index a = size * i + k, b = size * i + (k + 1) % size;
+      surface.corners.insert(surface.corners.end(), {a, b, b + size, a, b + size, a + size});
+    }
+  surface.points.push_back({0., 0., double(rings)});
+  for(Index k = 0; k < size; ++k)
+    surface.corners.insert(
+        surface.corners.end(),
+        {size * (rings - 1) + k, size * (rings - 1) + (k + 1) % size, size * rings});
+  return surface;
+}
+
+TEST(Base_map, does_not_repair_uniform_coordinates)
+{
+  const Array_surface arrays(closed_tube(40, 3));
   const auto base = one_face(arrays, {0, 1, 2});
   ASSERT_TRUE(base);
   EXPECT_EQ(Base_map(base, Base_coordinates::mean_value).number_of_repaired_regions(), 1u);
   EXPECT_EQ(Base_map(base, Base_coordinates::uniform).number_of_repaired_regions(), 0u);
+}
+
+TEST(Base_map, samples_are_added_where_triangles_are_inverted)
+{
+  const Array_surface arrays(closed_tube(60, 6));
+  Remeshing_options options;
+  options.number_of_samples = 3;
+  for(const Index i : {0, 2, 4})
+    options.first_samples.push_back(vertex_location(arrays.t(), arrays.vertex(i)));
+  const auto base = std::make_shared<const Base_mesh>(build_base_mesh(arrays.triangles(), options));
+  for(const Base_coordinates kind : kinds)
+  {
+    const Base_map without(base, kind);
+    EXPECT_GT(without.number_of_flips(), 0u);
+    EXPECT_EQ(without.centers_of_inverted_regions().size(), 1u);
+    const auto with = build_base_map(arrays.triangles(), options, kind);
+    EXPECT_EQ(with->number_of_flips(), 0u);
+    EXPECT_GT(with->base().samples.size(), base->samples.size());
+    for(std::size_t i = 0; i < 3; ++i)
+      EXPECT_EQ(with->base().samples[i].vertex, options.first_samples[i].vertex);
+  }
 }
 
 } // namespace base_map_test

@@ -53,6 +53,12 @@ public:
   // Number of inverted triangles, and number of regions whose coordinates were replaced.
   std::size_t number_of_flips() const { return m_number_of_flips; }
   std::size_t number_of_repaired_regions() const { return m_number_of_repaired_regions; }
+  // One location in each region with inverted triangles, which need not be canonical: the vertex of
+  // the fine mesh that is farthest from the base edges, in number of edges.
+  const std::vector<Surface_location>& centers_of_inverted_regions() const
+  {
+    return m_centers_of_inverted_regions;
+  }
 
   // Maps a canonical location of the mesh to the base mesh. Linear in the number of fine triangles
   // in the triangle of the mesh.
@@ -66,9 +72,21 @@ private:
   std::shared_ptr<const Base_mesh> m_base;
   std::vector<std::array<double, 3>> m_coordinates;
   std::size_t m_number_of_flips = 0, m_number_of_repaired_regions = 0;
+  std::vector<Surface_location> m_centers_of_inverted_regions;
   // Triangles of the fine mesh, grouped by triangle of the mesh and by base triangle.
   std::vector<Index> m_parent_begin, m_triangles_by_parent, m_region_begin, m_triangles_by_region;
 };
+
+// Computes a base mesh and its map. If a large part of a region has a short boundary, for example a
+// closed tube with one base triangle at its end, the image of this part can be smaller than round-
+// off errors. While triangles are inverted, a sample is added inside their region and the base mesh
+// is computed again, at most 10 times. The result is the map with the fewest inverted triangles.
+//
+// Returns null if the callback cancelled. Throws the exceptions of build_base_mesh().
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::shared_ptr<const Base_map>
+build_base_map(const std::shared_ptr<const Surface_arrays>& triangles, Remeshing_options options,
+               Base_coordinates kind);
 
 } // namespace CGAL::Geodesic_processing::internal
 
