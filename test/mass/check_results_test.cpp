@@ -291,6 +291,60 @@ TEST_F(Check_results, degenerate_triangles_decrease_the_lower_bound_of_a_path)
   }
 }
 
+// The exact distance can differ from the length of a path by the same heights: 2e-7 for each of the
+// two triangles.
+TEST_F(Check_results, degenerate_triangles_change_exact_distances)
+{
+  const auto violations = [&](const std::string& distance)
+  {
+    Files files = good_results();
+    files["square.off"] = "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0.5 0 0\n3 0 1 2\n3 0 2 3\n";
+    files["runs"] = "info\t0\t0.1\t0\t\nexact\t0\t0.1\t0\t\npath\t0\t0.1\t0\t\n";
+    files["info.txt"] = "0 0 0\n1 0 0\n2 0 0\n0.5 0 0\n";
+    files["exact.txt"] = "0\n1\n" + distance + "\n0.5\n";
+    files["path.json"] = R"({"length": 2.0, "lower": 2.0})";
+    files["path.txt"] = "0 0 0\n2 0 0\n";
+    std::vector<std::string> result = check(files);
+    result.erase(std::remove_if(result.begin(), result.end(),
+                                [](const std::string& line) {
+                                  return line.find("but the exact distance") == std::string::npos;
+                                }),
+                 result.end());
+    return result;
+  };
+  EXPECT_TRUE(violations("2.0000003").empty());
+  EXPECT_EQ(violations("2.0000005").size(), 1u);
+}
+
+// Vertex 4 is on the edge between the vertices 0 and 2, or at a distance h of it. Its image is on
+// the other side of this edge, so that a face of the height h is inverted.
+TEST_F(Check_results, flips_of_faces_without_area_need_not_be_reported)
+{
+  const auto violations = [&](const std::string& point, const std::string& flips)
+  {
+    const auto mesh = [](const std::string& last)
+    { return "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n" + last + "\n3 0 1 2\n3 0 2 4\n3 0 4 3\n"; };
+    Files files = good_results();
+    files["square.off"] = mesh(point);
+    files["runs"] = "info\t0\t0.1\t0\t\nflatten\t0\t0.1\t0\t\n";
+    files["info.txt"] = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n" + point + "\n";
+    files["flatten.json"] = R"({"flips": )" + flips + "}";
+    files["flatten.off"] = mesh("0.5 0.499 0");
+    std::vector<std::string> result = check(files);
+    result.erase(std::remove_if(result.begin(), result.end(),
+                                [](const std::string& line)
+                                { return line.rfind("flatten", 0) != 0; }),
+                 result.end());
+    return result;
+  };
+  for(const std::string flips : {"0", "1"})
+    EXPECT_EQ(violations("0.5 0.5 0", flips), std::vector<std::string>()) << flips;
+  EXPECT_EQ(violations("0.5 0.5 0", "2").size(), 1u);
+  // A height of 1e-6
+  EXPECT_EQ(violations("0.5 0.500001 0", "0").size(), 1u);
+  EXPECT_EQ(violations("0.5 0.500001 0", "1"), std::vector<std::string>());
+}
+
 // Vertex 3 is at the point of vertex 0. The edge between them has the minimum length of the
 // library, 2^-36 of half of the extent, which is 1.46e-11.
 TEST_F(Check_results, edges_of_length_zero_have_a_minimum_length)
@@ -313,7 +367,6 @@ TEST_F(Check_results, edges_of_length_zero_have_a_minimum_length)
   EXPECT_EQ(violations("1.46e-11").size(), 1u);
 }
 
-// CGAL reads no faces from a PLY file with triangle strips.
 TEST(Mesh_properties, faces_between_touching_faces_are_not_degenerate)
 {
   using namespace mass_test;
@@ -339,6 +392,7 @@ TEST(Mesh_properties, faces_between_touching_faces_are_not_degenerate)
   EXPECT_EQ(number_of_degenerate_faces(across, joined), 1u);
 }
 
+// CGAL reads no faces from a PLY file with triangle strips.
 TEST_F(Check_results, triangle_strips_are_no_violation)
 {
   Files files = good_results();
