@@ -122,6 +122,50 @@ TEST(distortion, skips_faces_without_finite_image)
   EXPECT_LT(GP::surface_distortion(mesh, uv, &GP::Face_distortion::mips).number_of_triangles, 32u);
 }
 
+// If the image of a face has no area, all measures are infinite, and faces without area on the
+// surface do not count.
+TEST(distortion, is_infinite_if_an_image_has_no_area)
+{
+  GP::Face_distortion flat;
+  flat.sigma_1 = flat.sigma_2 = std::numeric_limits<double>::infinity();
+  const auto measures = {
+      &GP::Face_distortion::mips,         &GP::Face_distortion::symmetric_mips,
+      &GP::Face_distortion::conformal,    &GP::Face_distortion::green_lagrange,
+      &GP::Face_distortion::dirichlet,    &GP::Face_distortion::l2_stretch,
+      &GP::Face_distortion::linf_stretch, &GP::Face_distortion::symmetric_stretch,
+      &GP::Face_distortion::riemannian,   &GP::Face_distortion::symmetric_dirichlet};
+  Mesh mesh = mesh_of(square(4));
+  const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
+  const auto expect_infinite = [&](std::size_t flips)
+  {
+    for(const auto measure : measures)
+    {
+      EXPECT_EQ((flat.*measure)(), std::numeric_limits<double>::infinity());
+      const auto found = GP::surface_distortion(mesh, uv, measure);
+      EXPECT_EQ(found.mean(), std::numeric_limits<double>::infinity());
+      EXPECT_EQ(found.worst, std::numeric_limits<double>::infinity());
+    }
+    const GP::Flattening_distortion found = GP::flattening_distortion(mesh, uv);
+    EXPECT_EQ(found.number_of_flips, flips);
+    for(const double value : {found.conformal, found.authalic, found.symmetric_dirichlet,
+                              found.l2_stretch, found.linf_stretch})
+      EXPECT_EQ(value, std::numeric_limits<double>::infinity());
+  };
+  EXPECT_EQ(flat.combined(1.), std::numeric_limits<double>::infinity());
+  for(const Vertex v : mesh.vertices())
+    uv[v] = {mesh.point(v).x(), mesh.point(v).y()};
+  const auto h = halfedge(Face(0), mesh);
+  uv[target(h, mesh)] = uv[source(h, mesh)];
+  std::size_t flips = 0;
+  for(const Face f : mesh.faces())
+    flips += std::isinf(GP::face_distortion(f, mesh, uv).sigma_1);
+  EXPECT_GT(flips, 0u);
+  expect_infinite(flips);
+  for(const Vertex v : mesh.vertices())
+    uv[v] = {mesh.point(v).x(), 0.};
+  expect_infinite(32);
+}
+
 TEST(distortion, flattening_distortion_is_scale_invariant)
 {
   Mesh mesh = mesh_of(square(6, 0.2));

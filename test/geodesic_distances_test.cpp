@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 
+#include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
+#include <CGAL/Geodesic_processing/farthest_point_sampling.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -16,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <vector>
@@ -203,6 +206,75 @@ TEST(Geodesic_distances, ignore_speed_of_one)
   GP::geodesic_distances(domain, std::size_t(3), CGAL::make_property_map(found_on_cloud),
                          GP::parameters::speed_map(CGAL::make_property_map(surfel_ones)));
   EXPECT_EQ(found_on_cloud, expected_on_cloud);
+}
+
+// With speed 4 everywhere, all results are a quarter of those without speeds, also for fronts that
+// differ from those with speeds. Multiplications by 4 are exact.
+template <typename Method, typename Domain>
+void expect_quarter(const Domain& domain, typename Domain::Vertex from, typename Domain::Vertex to)
+{
+  using Surface = typename Domain::Surface;
+  const std::size_t n = domain.triangles()->number_of_vertices();
+  const std::vector<double> fours(n, 4.);
+  const auto speed = GP::parameters::speed_map(CGAL::make_property_map(fours));
+  GP::Geodesic_distance_solver<Surface, Method> without(domain), with(domain);
+  const auto expect_equal = [&]
+  {
+    EXPECT_EQ(with.reached(), without.reached());
+    for(const auto v : without.reached())
+      EXPECT_EQ(4. * with.distance(v), without.distance(v));
+  };
+  without.compute(from);
+  with.compute(from, speed);
+  expect_equal();
+  const double limit = 0.5 * without.distance(to);
+  without.compute(from, GP::parameters::maximum_distance(limit));
+  with.compute(from, speed.maximum_distance(0.25 * limit));
+  expect_equal();
+  EXPECT_LT(without.reached().size(), n);
+  const std::vector<GP::Source<Surface>> sources = {{from, limit}, {to, 0.}},
+                                         faster = {{from, 0.25 * limit}, {to, 0.}};
+  without.compute(sources, GP::parameters::targets(from));
+  with.compute(faster, speed.targets(from));
+  expect_equal();
+  // Without speeds again
+  with.compute(from);
+  without.compute(from);
+  EXPECT_EQ(with.distance(to), without.distance(to));
+}
+
+TEST(Geodesic_distances, are_inverse_to_constant_speeds)
+{
+  Mesh mesh = mesh_of(jittered(icosphere(3), 0.1));
+  const auto on_mesh = GP::make_domain(mesh);
+  expect_quarter<GP::Euclidean_front>(on_mesh, Vertex(3), Vertex(100));
+  expect_quarter<GP::Fast_marching>(on_mesh, Vertex(3), Vertex(100));
+  expect_quarter<GP::Dijkstra>(on_mesh, Vertex(3), Vertex(100));
+  const Surfels surfels = sphere_surfels(4);
+  const auto on_cloud = GP::make_domain(
+      surfels, GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
+  expect_quarter<GP::Euclidean_front>(on_cloud, std::size_t(3), std::size_t(100));
+  expect_quarter<GP::Fast_marching>(on_cloud, std::size_t(3), std::size_t(100));
+  expect_quarter<GP::Dijkstra>(on_cloud, std::size_t(3), std::size_t(100));
+}
+
+// Each sample uses the distances of the previous ones, which are travel times.
+TEST(Geodesic_distances, samples_do_not_depend_on_constant_speed)
+{
+  Mesh mesh = mesh_of(jittered(icosphere(3), 0.1));
+  const std::vector<double> fours(mesh.number_of_faces(), 4.);
+  std::vector<Vertex> expected, found;
+  std::vector<double> radii, with_speed;
+  GP::farthest_vertex_sampling(mesh, 30, std::back_inserter(expected),
+                               GP::parameters::covering_radius_output(std::back_inserter(radii)));
+  GP::farthest_vertex_sampling(
+      mesh, 30, std::back_inserter(found),
+      GP::parameters::covering_radius_output(std::back_inserter(with_speed))
+          .face_speed_map(CGAL::make_property_map(fours)));
+  EXPECT_EQ(found, expected);
+  ASSERT_EQ(with_speed.size(), radii.size());
+  for(std::size_t i = 0; i < radii.size(); ++i)
+    EXPECT_EQ(4. * with_speed[i], radii[i]);
 }
 
 TEST(Geodesic_distances, read_speeds_from_vectors)

@@ -13,7 +13,10 @@
 #include "mesh/Intrinsic_triangulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -85,6 +88,18 @@ void select_triangles(Front_state& front)
   front.triangles = front.intrinsic_triangulation && !front.slowness
                         ? front.intrinsic_triangulation->triangles()
                         : front.surface;
+}
+
+// Returns the slowness if it is the same everywhere, and no obstacle.
+std::optional<double> constant_value(const std::vector<double>* slowness)
+{
+  if(!slowness || slowness->empty())
+    return 1.;
+  const double value = slowness->front();
+  const bool is_constant =
+      value < infinity && std::adjacent_find(slowness->begin(), slowness->end(),
+                                             std::not_equal_to<>()) == slowness->end();
+  return is_constant ? std::optional(value) : std::nullopt;
 }
 
 // Returns the distance at a location through a corner of its triangle of the surface.
@@ -162,7 +177,15 @@ bool Front::run(const std::vector<Front_source>& sources, const Front_limits& li
       bound_by_edges(m_state, often_corrected);
   };
   begin_query(limits);
-  initialize(m_state, sources);
+  if(m_state.unit == 1.)
+    initialize(m_state, sources);
+  else
+  {
+    std::vector<Front_source> own_sources = sources;
+    for(Front_source& source : own_sources)
+      source.offset /= m_state.unit;
+    initialize(m_state, own_sources);
+  }
   bool is_finished = false;
   try
   {
@@ -193,8 +216,16 @@ void Front::begin_query(const Front_limits& limits)
   front.queue.clear();
   front.corrected_vertices.clear();
   front.number_invalidated = 0;
-  front.max_distance = limits.maximum_distance;
-  front.slowness = limits.slowness;
+  if(limits.slowness != m_slowness)
+  {
+    m_slowness = limits.slowness;
+    m_constant_slowness = constant_value(m_slowness.get());
+  }
+  front.unit = m_constant_slowness.value_or(1.);
+  front.slowness = m_constant_slowness ? nullptr : m_slowness;
+  front.max_distance = limits.maximum_distance / front.unit;
+  if(front.unit * front.max_distance > limits.maximum_distance)
+    front.max_distance = std::nextafter(front.max_distance, 0.);
   front.known_distance = limits.known_distance;
   front.improves_known_distance = true;
   if(front.kind == Front_kind::euclidean)
@@ -214,7 +245,7 @@ bool Front::propagate(const Front_limits& limits)
     // Tentative vertices are delayed. Therefore a later vertex may be closer than this one, and
     // the query continues.
     const double distance = front.vertices[entry.vertex].distance;
-    if(distance > limits.maximum_distance || distance == infinity)
+    if(distance > front.max_distance || distance == infinity)
     {
       front.queue.pop();
       continue;
@@ -247,8 +278,8 @@ void Front::propagate_from(Index v)
 {
   Front_state& front = m_state;
   front.improves_known_distance =
-      !front.known_distance || (front.kind != Front_kind::dijkstra &&
-                                front.vertices[v].distance < (*front.known_distance)[v]);
+      !front.known_distance ||
+      (front.kind != Front_kind::dijkstra && front.improves(v, front.vertices[v].distance));
   if(!front.improves_known_distance && !may_improve_neighbors(front, v))
     return;
   if(front.kind == Front_kind::dijkstra)
@@ -321,7 +352,7 @@ double Front::distance(const Surface_location& location) const
 {
   const Front_state& front = m_state;
   if(const Index vertex = vertex_of(*front.surface, location); vertex != none)
-    return front.vertices[vertex].distance;
+    return distance(vertex);
   // At a point on an edge, the front may arrive through either triangle.
   const Surface_arrays& t = *front.triangles;
   const Surface_location p = located(front, location);
@@ -334,7 +365,7 @@ double Front::distance(const Surface_location& location) const
     result = std::max(result, front.min_offset +
                                   straight_distance(scaled_coordinates(*front.surface, location),
                                                     *front.point_source));
-  return result <= front.max_distance ? result : infinity;
+  return result <= front.max_distance ? front.unit * result : infinity;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -15,7 +15,7 @@ bool may_improve_neighbors(const Front_state& front, Index vertex)
   const double distance = front.vertices[vertex].distance;
   for(Index i = front.fans->begin[vertex].edge; i < front.fans->begin[vertex + 1].edge; ++i)
     if(const Index end = front.fans->edges[i].vertex;
-       distance < (*front.known_distance)[end] && distance < front.vertices[end].distance)
+       front.improves(end, distance) && distance < front.vertices[end].distance)
       return true;
   return false;
 }
@@ -118,7 +118,7 @@ void bound_by_edges(Front_state& front, const std::vector<Index>& often_correcte
     const Intrinsic_triangulation& intrinsic = *front.intrinsic_triangulation;
     const auto relax_removed_edges = [&](Index v)
     {
-      if(front.known_distance && !(front.vertices[v].distance < (*front.known_distance)[v]))
+      if(front.known_distance && !front.improves(v, front.vertices[v].distance))
         return;
       const auto [begin, end] = intrinsic.removed_edges(v);
       for(auto edge = begin; edge != end; ++edge)

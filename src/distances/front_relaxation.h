@@ -93,7 +93,7 @@ inline double straight_bound(const Front_state& front, Index vertex)
 // whether the vertex was updated.
 inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index source)
 {
-  if(!front.improves_known_distance && !(arrival.distance < (*front.known_distance)[v]))
+  if(!front.improves_known_distance && !front.improves(v, arrival.distance))
     return false;
   // Without directions, only final vertices are used by update rules.
   if(arrival.distance > front.max_distance && !front.has_directions())

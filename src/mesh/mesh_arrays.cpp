@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -116,7 +117,9 @@ double compute_lengths(Surface_arrays& t, const Frame& frame)
       [scaled = Scaling(frame)](const std::array<double, 3>& p, const std::array<double, 3>& q)
   {
     const double x = scaled(p[0] - q[0]), y = scaled(p[1] - q[1]), z = scaled(p[2] - q[2]);
-    return std::sqrt(x * x + y * y + z * z);
+    const double square = x * x + y * y + z * z;
+    // Squares of edges that are much shorter than the extent underflow.
+    return square > std::numeric_limits<double>::min() ? std::sqrt(square) : std::hypot(x, y, z);
   };
   t.length.resize(t.corner.size());
   double longest = 0.;

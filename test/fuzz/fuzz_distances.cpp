@@ -465,10 +465,9 @@ private:
       if(times[i] == infinity)
         continue;
       require(found[i] < infinity, "only reached vertices have a travel time");
-      if constexpr(is_exact<Method>)
-        if(is_constant && query.largest_offset == 0.)
-          require_near(constant * times[i], found[i], tolerance(found[i]),
-                       "the travel time is the distance divided by the speed");
+      if(is_constant && query.largest_offset == 0.)
+        require_near(constant * times[i], found[i], tolerance(found[i]),
+                     "the travel time is the distance divided by the speed");
     }
     if constexpr(is_exact<Method>)
     {

@@ -115,6 +115,7 @@ public:
   /// \throws Unsupported_surface_error if the triangles of the mesh cannot be remeshed, or if edges
   ///         cannot be traced on the mesh. The latter happens if needles are split into more than
   ///         150,000 + 10 n triangles, for n triangles and base edges
+  /// \throws Invalid_argument_error if the mesh has no triangles
   /// \throws as `geodesic_delaunay_remeshing()`
   ///
   /// Takes near-linear time in the size of the mesh and in the length of the base edges, measured

@@ -70,7 +70,8 @@ public:
   ///
   /// \param surface the surface
   /// \param np the named parameters of `make_domain()`
-  /// \throws as `make_domain()`
+  /// \throws as `make_domain()`; `Heat` also throws `Unsupported_surface_error` if the surface is
+  ///         empty
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_distance_solver(const Surface& surface,
                                     const NamedParameters& np = NamedParameters())
@@ -148,7 +149,9 @@ public:
   ///         speeds, if the relative tolerance is positive and the method is not exact, or if
   ///         `Exact` exceeds its limit of windows
   /// \throws Cancelled if the callback returns false. Then only vertices or surfels whose
-  ///         distances were final are reached, also if the callback throws an exception.
+  ///         distances were final are reached, also if the callback throws an exception. On a
+  ///         cloud, some of these distances can be a few percent longer than after a complete
+  ///         computation, because the front can still correct them, as near `maximum_distance`
   ///
   /// After an `Invalid_argument_error` or an `Unsupported_surface_error` the results of the last
   /// computation remain, unless the limit of windows was exceeded. Then nothing is reached.

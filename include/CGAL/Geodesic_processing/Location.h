@@ -190,13 +190,15 @@ template <typename Surface>
 using Surface_of = typename internal::Surface_of_domain<std::remove_const_t<Surface>>::type;
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// A location on a surface. On a mesh it is `Polygon_mesh_processing::Face_location`: a face and
-/// three barycentric coordinates. These belong to the source of `halfedge(face, mesh)`, to its
-/// target, and to the third corner, in this order. On a cloud it is a `Surfel_location`.
+/// A location on a surface. On a mesh it is `Polygon_mesh_processing::Face_location<Surface,
+/// double>`, whatever the kernel of the mesh: a face and three barycentric coordinates. These
+/// belong to the source of `halfedge(face, mesh)`, to its target, and to the third corner, in this
+/// order. On a cloud it is a `Surfel_location`.
 ///
 /// `point()` of a domain returns its point. The functions of
 /// `CGAL/Polygon_mesh_processing/locate.h` also accept a location on a mesh; this file does not
-/// include that header, which includes the AABB tree.
+/// include that header, which includes the AABB tree. A location that they return is one of this
+/// package only if the number type of the kernel is `double`.
 template <typename Surface>
 using Location = typename internal::Surface_traits<Surface>::Location;
 

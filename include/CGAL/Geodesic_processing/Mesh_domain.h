@@ -54,8 +54,9 @@ class Mesh_domain
 public:
   using Surface = TriangleMesh;
   using Traits = internal::Surface_traits<Surface>;
-  using Vertex = typename Traits::Vertex;     ///< a vertex descriptor
-  using Location = typename Traits::Location; ///< `Polygon_mesh_processing::Face_location`
+  using Vertex = typename Traits::Vertex; ///< a vertex descriptor
+  /// `Polygon_mesh_processing::Face_location<TriangleMesh, double>`, for meshes of any kernel
+  using Location = typename Traits::Location;
   using Point_3 = typename Traits::Point_3;
   using Vector_3 = typename Traits::Vector_3;
 

@@ -38,15 +38,22 @@ struct Face_distortion
   ///
   /// `mips()`, `symmetric_mips()` and `conformal()` measure angles: they are minimal if
   /// \f$ \sigma_1 = \sigma_2 \f$. `dirichlet()`, `l2_stretch()` and `linf_stretch()` increase with
-  /// the singular values. The others are minimal if \f$ \sigma_1 = \sigma_2 = 1 \f$.
+  /// the singular values. The others are minimal if \f$ \sigma_1 = \sigma_2 = 1 \f$. If the image
+  /// has no area, all measures are infinite.
   /// @{
 
   /// Returns \f$ \sigma_1 / \sigma_2 \f$ (Hormann and Greiner 2000, without the reciprocal term).
-  double mips() const { return sigma_1 / sigma_2; }
+  double mips() const { return std::isinf(sigma_1) ? sigma_1 : sigma_1 / sigma_2; }
   /// Returns \f$ \sigma_1 / \sigma_2 + \sigma_2 / \sigma_1 \f$.
-  double symmetric_mips() const { return sigma_1 / sigma_2 + sigma_2 / sigma_1; }
+  double symmetric_mips() const
+  {
+    return std::isinf(sigma_1) ? sigma_1 : sigma_1 / sigma_2 + sigma_2 / sigma_1;
+  }
   /// Returns the conformal energy \f$ (\sigma_1 - \sigma_2)^2 / 2 \f$.
-  double conformal() const { return 0.5 * (sigma_1 - sigma_2) * (sigma_1 - sigma_2); }
+  double conformal() const
+  {
+    return std::isinf(sigma_1) ? sigma_1 : 0.5 * (sigma_1 - sigma_2) * (sigma_1 - sigma_2);
+  }
   /// Returns \f$ (\sigma_1^2 - 1)^2 + (\sigma_2^2 - 1)^2 \f$.
   double green_lagrange() const
   {
@@ -211,7 +218,8 @@ struct Surface_distortion
   std::size_t number_of_triangles = 0; ///< triangles that have an image
   std::size_t number_of_flips = 0;     ///< triangles whose image is clockwise (inverted)
 
-  /// Returns the mean of the measure, weighted by area. O(1).
+  /// Returns the mean of the measure, weighted by area; NaN if there are no triangles with area.
+  /// O(1).
   double mean() const { return integral / area; }
 };
 
@@ -229,7 +237,9 @@ struct Surface_distortion
 /// \param surface as for `geodesic_distances()`
 /// \param uv_map as for `face_distortion()`. If a corner of a triangle has NaN coordinates, the
 ///        triangle is ignored. These are the triangles outside of the domain of a logarithmic map.
-/// \param measure a function of a `Face_distortion`, such as `&Face_distortion::conformal`
+/// \param measure a function of a `Face_distortion`, such as `&Face_distortion::conformal`. If the
+///        image of a triangle has no area, its measures are infinite, and so are the integral, the
+///        mean and the maximum.
 /// \param np the named parameters of `make_domain()`
 /// \pre The UV map has a value for each corner of each face.
 /// \returns the integral, the maximum and the numbers of triangles
@@ -250,7 +260,8 @@ surface_distortion(const Surface& surface, UVMap uv_map, Measure measure,
     if(std::isnan(distortion.sigma_1))
       continue;
     const double value = std::invoke(measure, distortion);
-    result.integral += distortion.area * value;
+    if(distortion.area > 0.)
+      result.integral += distortion.area * value;
     result.area += distortion.area;
     if(result.number_of_triangles++ == 0 || value > result.worst)
     {
@@ -326,7 +337,7 @@ Flattening_distortion flattening_distortion(const Surface& surface, UVMap uv_map
         area += face.area;
         image += face.area / (face.sigma_1 * face.sigma_2);
       });
-  const double scale = std::sqrt(image / area);
+  const double scale = image > 0. ? std::sqrt(image / area) : 1.;
 
   Flattening_distortion result;
   for_each(

@@ -39,6 +39,7 @@ namespace CGAL::Geodesic_processing {
 /// \param np named parameters of `make_domain()`
 /// \pre The map `field` has a value for each face.
 /// \throws Invalid_argument_error if a vector is not finite
+/// \throws Unsupported_surface_error if the surface is empty
 ///
 /// Takes two factorizations.
 template <typename Mesh, typename Field, typename GradientMap, typename RotationMap,
@@ -92,6 +93,7 @@ void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map
 /// \param np named parameters of `make_domain()`
 /// \pre The map `field` has a value for each surfel.
 /// \throws Invalid_argument_error if a vector is not finite
+/// \throws Unsupported_surface_error if the surface is empty
 ///
 /// Takes one factorization.
 template <typename SurfelRange, typename Field, typename GradientMap, typename RemainderMap,

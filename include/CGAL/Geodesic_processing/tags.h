@@ -45,8 +45,8 @@ struct Fast_marching
 /// straight line.
 ///
 /// Circular fronts are due to Reimers \cgalCite{cgal:r-tvs-04}. Here the curvature of the circle is
-/// not assumed, but fitted to a direction and two distances. If speeds are not all 1, the front is
-/// that of `Fast_marching`.
+/// not assumed, but fitted to a direction and two distances. If speeds are not all equal, the front
+/// is that of `Fast_marching`.
 struct Euclidean_front
 {};
 

@@ -36,7 +36,8 @@ struct Front_vertex
   Index state = 0; // the flags of front_relaxation.h
 };
 
-// The data of a front: the results of the last query, and the variables of the running one.
+// The data of a front: the results of the last query, and the variables of the running one. All
+// distances are in the unit of the query, except those of previous queries.
 //
 // The update rules in src/distances are functions of this struct. Between two queries only the
 // vertices in `reached` differ from their defaults.
@@ -57,6 +58,11 @@ struct Front_state
     return has_single_source || sources[x] == sources[z];
   }
   double slowness_in(Index triangle) const { return slowness ? (*slowness)[triangle] : 1.; }
+  // Returns whether a distance is shorter than the one known from previous queries.
+  bool improves(Index vertex, double distance) const
+  {
+    return unit * distance < (*known_distance)[vertex];
+  }
 
   std::shared_ptr<const Surface_arrays> surface; // locations and speeds refer to it
   // Of a Euclidean front on a mesh with needles, caps or long edges; otherwise null.
@@ -85,10 +91,12 @@ struct Front_state
   // halfedges of the results refer to these triangles.
   std::shared_ptr<const Surface_arrays> triangles;
   std::shared_ptr<const Vertex_fans> fans; // null for dijkstra, and for clouds if euclidean
-  std::shared_ptr<const std::vector<double>> slowness; // #triangles; null if it is 1 everywhere
+  // #triangles; null if it is the same everywhere
+  std::shared_ptr<const std::vector<double>> slowness;
   // The pieces of the sources by triangle, sorted by triangle.
   std::vector<std::pair<Index, Front_source>> source_pieces;
   std::vector<double> offsets; // #sources
+  double unit = 1.; // of the distances: the slowness if it is the same everywhere, otherwise 1
   double min_offset = 0.;
   double max_distance = infinity;
   bool has_single_source = false;

@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,13 +47,15 @@ public:
   Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind,
         Bisected_edges bisected = Bisected_edges::none);
 
-  // Propagates the front from the sources. Returns false if the callback cancelled it; then only
-  // vertices that were final are reached. The distances do not depend on the order of the sources.
+  // Propagates the front from the sources. If the slowness is the same everywhere, the front is
+  // that without slowness, and its distances are multiplied. The distances do not depend on the
+  // order of the sources. Returns false if the callback cancelled it; then only vertices that were
+  // final are reached. On a cloud, their distances could still decrease slightly.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
   // Returns the distance of the last query, in the unit of the arrays (Surface_arrays::scale);
   // infinity if no source reaches the vertex or location.
-  double distance(Index vertex) const { return m_state.vertices[vertex].distance; }
+  double distance(Index vertex) const { return m_state.unit * m_state.vertices[vertex].distance; }
   double distance(const Surface_location& location) const;
   // Returns the position of the nearest source in the array of sources, or none if not reached.
   Index source(Index vertex) const { return m_state.sources[vertex]; }
@@ -69,6 +72,9 @@ private:
   std::vector<Index> collect_final_vertices();
 
   Front_state m_state;
+  // Of the last query, as in Front_limits, and its value if that is the same everywhere.
+  std::shared_ptr<const std::vector<double>> m_slowness;
+  std::optional<double> m_constant_slowness = 1.;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
