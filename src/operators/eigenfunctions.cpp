@@ -184,8 +184,10 @@ public:
   void solve()
   {
     const Eigen_system solver = eigen_system(m_projected_operator);
-    m_values = solver.values.reverse();
-    m_vectors = solver.vectors.rowwise().reverse();
+    // Assignments of temporary matrices swap. If Eigen resizes a matrix and there is no memory, the
+    // matrix still points to its old block, which is free.
+    m_values = Vector(solver.values.reverse());
+    m_vectors = Matrix(solver.vectors.rowwise().reverse());
     const Matrix residual = small_product(m_residual, m_vectors.bottomRows(m_last_block_size));
     m_number_of_converged = 0;
     while(m_number_of_converged < m_size &&

@@ -409,6 +409,15 @@ TEST(Allocation, biharmonic_metric)
               [&](auto& metric) { return values_of(metric.distance_matrix(some_vertices)); });
 }
 
+TEST(Allocation, transport_metric)
+{
+  const Mesh mesh = sphere();
+  for(const std::size_t k : {0u, 3u})
+    expect_safe([&] { return GP::Transport_metric<Mesh>(mesh, k); },
+                [](const auto& metric) -> Values
+                { return cost_values(metric.cost(Vertex(0), Vertex(7))); });
+}
+
 TEST(Allocation, volumetric_metric)
 {
   const Mesh mesh = sphere();

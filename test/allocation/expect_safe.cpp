@@ -36,6 +36,8 @@ void* __real_calloc(std::size_t number, std::size_t size);
 void* __real_realloc(void* block, std::size_t size);
 void __real_free(void* block);
 
+void __wrap_free(void* block);
+
 void* __wrap_malloc(std::size_t size) { return fails() ? nullptr : counted(__real_malloc(size)); }
 
 void* __wrap_calloc(std::size_t number, std::size_t size)
@@ -45,6 +47,11 @@ void* __wrap_calloc(std::size_t number, std::size_t size)
 
 void* __wrap_realloc(void* block, std::size_t size)
 {
+  if(block && size == 0) // an empty matrix of Eigen
+  {
+    __wrap_free(block);
+    return nullptr;
+  }
   if(fails())
     return nullptr;
   return block ? __real_realloc(block, size) : counted(__real_realloc(block, size));

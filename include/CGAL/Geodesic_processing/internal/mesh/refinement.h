@@ -32,7 +32,8 @@ Refinement make_refinement(std::shared_ptr<const Surface_arrays> triangles);
 CGAL_GEODESIC_PROCESSING_EXPORT
 Refinement split_edges(const Refinement& refinement, const std::vector<bool>& is_split);
 
-// Maps a canonical location from the fine triangles to the coarse ones, or back.
+// Maps canonical locations from the fine triangles to the coarse ones, or back. For a location,
+// to_fine() tests all fine triangles in its coarse one.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location to_coarse(const Refinement& refinement, const Surface_location& location);
 CGAL_GEODESIC_PROCESSING_EXPORT
