@@ -79,6 +79,37 @@ inline void bracket_equal_distance(const Window& a, const Window& b, double& beg
   }
 }
 
+// Returns the position at which the difference of the distances of two windows is largest or
+// smallest. It is NaN or infinite if there is none. Without it in an interval, the difference has
+// one zero there at most; otherwise it can have two.
+inline double extremum_of_difference(const Window& a, const Window& b)
+{
+  if(a.is_straight() == b.is_straight())
+  {
+    // The lines from both sources meet the edge at the same angle. Two straight fronts have weight
+    // zero, and the result is NaN.
+    const double height_of_a = a.weight() * a.source[1], height_of_b = b.weight() * b.source[1];
+    return (a.source[0] * height_of_b - b.source[0] * height_of_a) / (height_of_b - height_of_a);
+  }
+  const Window &straight = a.is_straight() ? a : b, &curved = a.is_straight() ? b : a;
+  return curved.source[0] - curved.source[1] * (straight.source[0] / straight.source[1]);
+}
+
+// Cuts off the ends of an overlap [begin, end] from a window that is closer in the middle only. The
+// differences are distance of `a` minus distance of `b`.
+inline void keep_middle(Window& a, const Window& b, double begin, double middle, double end,
+                        double difference_at_begin, double difference_in_middle,
+                        double difference_at_end)
+{
+  double last = middle;
+  bracket_equal_distance(b, a, begin, last, -difference_at_begin, -difference_in_middle);
+  bracket_equal_distance(a, b, middle, end, difference_in_middle, difference_at_end);
+  if(a.begin >= b.begin)
+    a.begin = begin;
+  if(a.end <= b.end)
+    a.end = end;
+}
+
 // Splits two overlapping windows at the position of equal distance; `a` is the first one along the
 // edge. If one of them is farther in the whole overlap, cuts its overlap off. If their sources
 // are equal, merges `a` into `b`. Returns false if `a` must be removed.
@@ -103,6 +134,29 @@ inline bool split_overlap(Window& a, Window& b, double min_length)
     return true;
   const double difference_at_begin = a.distance(overlap_begin) - b.distance(overlap_begin),
                difference_at_end = a.distance(overlap_end) - b.distance(overlap_end);
+  if(difference_at_begin * difference_at_end >= 0. && a.offset != b.offset)
+  {
+    // With different offsets, a window can be closer in the middle of the overlap only.
+    const double middle = extremum_of_difference(a, b);
+    if(middle > overlap_begin && middle < overlap_end)
+    {
+      const double distance = a.distance(middle), difference = distance - b.distance(middle),
+                   tolerance = merge_tolerance * std::abs(distance),
+                   sum_at_ends = difference_at_begin + difference_at_end;
+      if(difference < -tolerance && sum_at_ends >= 0.)
+      {
+        keep_middle(a, b, overlap_begin, middle, overlap_end, difference_at_begin, difference,
+                    difference_at_end);
+        return true;
+      }
+      if(difference > tolerance && sum_at_ends <= 0.)
+      {
+        keep_middle(b, a, overlap_begin, middle, overlap_end, -difference_at_begin, -difference,
+                    -difference_at_end);
+        return true;
+      }
+    }
+  }
   if(difference_at_begin >= 0. && difference_at_end >= 0.)
   {
     if(a.end <= b.end)
@@ -143,10 +197,7 @@ inline void trim_dominated(Window& w, const Window& other)
   if(!(overlap_begin < overlap_end) || (overlap_begin > w.begin && overlap_end < w.end) ||
      !is_other_closer(overlap_begin) || !is_other_closer(overlap_end))
     return;
-  // Two hyperbolas intersect at most twice. In between, their difference has one extremum.
-  const double slope = (w.source[0] - other.source[0]) / (w.offset - other.offset);
-  const double extremum =
-      w.source[0] + std::abs(w.source[1]) * slope / std::sqrt(1. - slope * slope);
+  const double extremum = extremum_of_difference(w, other);
   if(extremum > overlap_begin && extremum < overlap_end && !is_other_closer(extremum))
     return;
   if(overlap_begin == w.begin)

@@ -284,6 +284,57 @@ TEST(Window_propagation, distance_is_minimum_over_sources)
   }
 }
 
+// If offsets differ, a source can be the nearest one in the middle of an edge only. On coarse
+// surfaces, such intervals are long.
+TEST(Window_propagation, distance_is_minimum_over_random_sources_with_offsets)
+{
+  const std::vector<Triangulation> surfaces = {grid(1, 1,
+                                                    [](double u, double v) {
+                                                      return Point{u, v, 0.};
+                                                    }),
+                                               square(3, 0.2),
+                                               icosphere(1),
+                                               torus(6, 4),
+                                               hilly_square(6, 0.3),
+                                               annulus(6, 2, 1., 2.)};
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> offset(-0.6, 0.6);
+  for(const Triangulation& shape : surfaces)
+  {
+    const Array_surface surface(shape);
+    const Surface_arrays& t = surface.t();
+    Window_propagation together(surface.triangles()), one(surface.triangles());
+    for(int repetition = 0; repetition < 200; ++repetition)
+    {
+      std::vector<internal::Front_source> sources;
+      for(int i = 0; i < 3; ++i)
+      {
+        sources.push_back({{random_location(t, random)}, offset(random)});
+        if(random() % 3 == 0 && sources.back().polyline[0].triangle != none)
+        {
+          Surface_location end = sources.back().polyline[0];
+          std::rotate(end.barycentric.begin(), end.barycentric.begin() + 1, end.barycentric.end());
+          sources.back().polyline.push_back(end);
+        }
+      }
+      ASSERT_TRUE(together.run(sources));
+      std::vector<double> expected(t.number_of_vertices(), infinity);
+      const Surface_location location = random_location(t, random);
+      double expected_at_location = infinity;
+      for(const internal::Front_source& source : sources)
+      {
+        ASSERT_TRUE(one.run({source}));
+        for(Index v = 0; v < expected.size(); ++v)
+          expected[v] = std::min(expected[v], one.distance(v));
+        expected_at_location = std::min(expected_at_location, one.distance(location));
+      }
+      for(Index v = 0; v < expected.size(); ++v)
+        EXPECT_NEAR(together.distance(v), expected[v], round_off);
+      EXPECT_NEAR(together.distance(location), expected_at_location, round_off);
+    }
+  }
+}
+
 TEST(Window_propagation, accepts_polyline_sources)
 {
   const Triangulation plane = square(20, 0.24);

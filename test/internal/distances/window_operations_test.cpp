@@ -6,6 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <utility>
+#include <vector>
+
 namespace window_operations_test {
 
 using namespace CGAL::Geodesic_processing;
@@ -58,6 +63,64 @@ TEST(Window_operations, overlap_is_split_at_equal_distances)
   EXPECT_GE(a.distance(a.end), b.distance(a.end));
   EXPECT_GE(a.end, b.begin);
   EXPECT_NEAR(a.end, b.begin, 0.01); // four steps
+}
+
+// Returns the distance at a position through the windows that contain it.
+double minimum(const std::vector<Window>& windows, double position)
+{
+  double result = infinity;
+  for(const Window& w : windows)
+    if(position >= w.begin && position <= w.end)
+      result = std::min(result, w.distance(position));
+  return result;
+}
+
+// Whatever is cut off, the smaller distance remains at each position. A window of a larger offset
+// can be closer in the middle of the overlap only.
+TEST(Window_operations, smaller_distances_are_kept)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0., 1.);
+  const auto random_window = [&](Index origin)
+  {
+    const double height = 0.02 + 2. * uniform(random);
+    // Similar distances, whatever the height
+    const double offset = 2. - height + 0.4 * uniform(random);
+    Window w = {{2. * uniform(random) - 0.5, -height},
+                offset,
+                0.4 * uniform(random),
+                1. - 0.4 * uniform(random),
+                origin,
+                random() % 4 == 0 ? -0.f : 0.f};
+    if(w.is_straight())
+      w.source = (1. / norm(w.source)) * w.source;
+    return w;
+  };
+  int closer_in_the_middle = 0;
+  for(int repetition = 0; repetition < 20000; ++repetition)
+  {
+    Window a = random_window(0), b = random_window(1);
+    if(a.begin + a.end > b.begin + b.end)
+      std::swap(a, b);
+    const std::vector<Window> before = {a, b};
+    const double begin = std::max(a.begin, b.begin), end = std::min(a.end, b.end);
+    const auto difference = [&](double x) { return before[0].distance(x) - before[1].distance(x); };
+    bool has_two_crossings = false;
+    std::vector<Window> split, trimmed = before;
+    if(split_overlap(a, b, 1e-13))
+      split.push_back(a);
+    split.push_back(b);
+    trim_dominated(trimmed[0], trimmed[1]);
+    for(double x = begin; x <= end; x += 0.01)
+    {
+      EXPECT_NEAR(minimum(split, x), minimum(before, x), round_off);
+      EXPECT_NEAR(minimum(trimmed, x), minimum(before, x), round_off);
+      has_two_crossings = has_two_crossings || (difference(begin) * difference(end) > 0. &&
+                                                difference(begin) * difference(x) < 0.);
+    }
+    closer_in_the_middle += has_two_crossings;
+  }
+  EXPECT_GT(closer_in_the_middle, 30);
 }
 
 TEST(Window_operations, windows_of_one_source_are_merged)
