@@ -78,8 +78,13 @@ struct Sparse_solver::Solver
   Solver(const Sparse_matrix& matrix, Elimination_order order)
   {
     Cholmod_common common;
+    // METIS begins each ordering by srand() and calls rand(), whose state all threads share.
+    // Orderings at the same time would depend on each other, and so would round-off errors.
+    static std::mutex metis_mutex;
+    std::unique_lock<std::mutex> metis_lock(metis_mutex, std::defer_lock);
     if(order == Elimination_order::low_fill)
     {
+      metis_lock.lock();
       common.nmethods = 2; // uses the better ordering; METIS may be missing
       common.method[0].ordering = CHOLMOD_METIS;
       common.method[1].ordering = CHOLMOD_AMD;

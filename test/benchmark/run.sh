@@ -29,7 +29,7 @@ for argument in "$@"; do
   esac
 done
 [ ${#programs[@]} -gt 0 ] ||
-  programs=(accuracy error_distribution speed soups exact sampling remeshing surfels logmap decal flattening base wavelets transport
+  programs=(accuracy error_distribution speed soups exact sampling remeshing cloud_errors surfels logmap decal flattening base wavelets transport
             transport_bounds transport_family transport_claims regions flows barycenters volumes)
 
 build=${BUILD:-build/benchmark}

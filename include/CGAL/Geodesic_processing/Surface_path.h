@@ -28,10 +28,10 @@ struct Surface_path
   /// The distance that the method computes; +infinity if there is no path. With speeds it is a
   /// travel time, and the other members remain lengths
   double front_distance = 0.;
-  /// A certified lower bound of the length of all paths between its ends. For paths of a
-  /// `Geodesic_distance_solver` with exact distances it is `lower()` of the solver: without a
-  /// `relative_tolerance`, the length minus round-off errors. Otherwise it is the straight distance
-  /// in space
+  /// A certified lower bound of the length of all paths between its ends. For shortest paths on a
+  /// mesh, by `geodesic_path()`, `Geodesic_path_finder` or `Exact`, it is the length minus
+  /// round-off errors; with a `relative_tolerance` it is `lower()` of the
+  /// `Geodesic_distance_solver`. For all other paths it is the straight distance in space
   double lower = 0.;
 
   /// Returns whether there is no path. O(1).

@@ -12,8 +12,9 @@ namespace CGAL::Geodesic_processing {
 /// Selects Dijkstra's algorithm: the length of the shortest path along edges, or along graph edges
 /// between surfels. \cgalCite{cgal:d-ntpcg-59}
 ///
-/// The result is never shorter than the distance on the surface. It does not converge to this
-/// distance under refinement: along the diagonals of a regular grid it remains 41 percent too long.
+/// On a mesh the result is never shorter than the distance on the surface; on a cloud, edges are
+/// chords of the surface. It does not converge to this distance under refinement: along the
+/// diagonals of a regular grid it remains 41 percent too long.
 struct Dijkstra
 {};
 
@@ -40,9 +41,10 @@ struct Fast_marching
 /// If the surface between the source and a vertex unfolds to a plane, the distance is exact up to
 /// round-off errors. Elsewhere the method is of second order. Errors are some hundredths of a
 /// percent on common meshes, and up to some tenths on rough scans. On CAD models the mean error is
-/// up to one percent, and single distances are wrong by some percent. No distance exceeds the
-/// length of a path along edges. On a mesh, from a single point, none is below the length of the
-/// straight line.
+/// up to one percent, and single distances are wrong by some percent. On clouds of smooth surfaces
+/// they are as on common meshes; on sharp or thin parts with few surfels, single distances are
+/// wrong by some tens of percent. On a mesh, no distance exceeds the length of a path along edges,
+/// and from a single point, none is below the length of the straight line.
 ///
 /// Circular fronts are due to Reimers \cgalCite{cgal:r-tvs-04}. Here the curvature of the circle is
 /// not assumed, but fitted to a direction and two distances. If speeds are not all equal, the front

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Compares distances on clouds with exact distances. The surfels are the vertices of meshes with
+// vertex normals.
+#include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
+
+#include "models.h"
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace benchmarks;
+using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
+
+// Prints the errors of a method at vertices that are farther than 5 % of the largest distance, from
+// five sources.
+template <typename Method>
+void compare(const Mesh& mesh, const Cloud& cloud)
+{
+  GP::Geodesic_distance_solver<Mesh, GP::Exact> exact(mesh);
+  GP::Geodesic_distance_solver<Cloud, Method> solver(cloud);
+  double sum = 0., largest = 0.;
+  std::size_t number = 0, unreached = 0;
+  for(std::size_t k = 0; k < 5; ++k)
+  {
+    const std::size_t source = k * mesh.number_of_vertices() / 5;
+    exact.compute(Vertex(Mesh::size_type(source)));
+    solver.compute(Cloud::Index(source));
+    double farthest = 0.;
+    for(const Vertex v : exact.reached())
+      farthest = std::max(farthest, exact.distance(v));
+    for(const Vertex v : exact.reached())
+      if(exact.distance(v) > 0.05 * farthest)
+      {
+        const double found = solver.distance(Cloud::Index(std::size_t(v)));
+        if(std::isinf(found))
+        {
+          ++unreached;
+          continue;
+        }
+        const double error = std::abs(found / exact.distance(v) - 1.);
+        sum += error;
+        largest = std::max(largest, error);
+        ++number;
+      }
+  }
+  std::printf("  %6.2f %6.1f %5zu", 100. * sum / double(number), 100. * largest, unreached);
+}
+
+} // namespace
+
+int main()
+{
+  std::printf("errors in percent: mean, largest, number of unreached vertices\n%-22s  %-19s   "
+              "%-19s   %-19s\n",
+              "", "Euclidean_front", "Fast_marching", "Dijkstra");
+  for(const char* const name :
+      {"bunny_37k", "nefertiti_35k", "kitten_9k", "eight_5k", "human_woman_7k", "elephant_2k8"})
+  {
+    const std::optional<Mesh> mesh = load_model(name);
+    if(!mesh)
+      continue;
+    Cloud cloud(true);
+    for(const Vertex v : mesh->vertices())
+      cloud.insert(mesh->point(v), CGAL::Polygon_mesh_processing::compute_vertex_normal(v, *mesh));
+    std::printf("%-22s", name);
+    compare<GP::Euclidean_front>(*mesh, cloud);
+    compare<GP::Fast_marching>(*mesh, cloud);
+    compare<GP::Dijkstra>(*mesh, cloud);
+    std::printf("\n");
+  }
+}
