@@ -29,8 +29,9 @@ for argument in "$@"; do
   esac
 done
 [ ${#programs[@]} -gt 0 ] ||
-  programs=(accuracy error_distribution speed soups exact sampling remeshing cloud_errors surfels logmap decal flattening base wavelets transport
-            transport_bounds transport_family transport_claims regions flows barycenters volumes)
+  programs=(accuracy error_distribution speed soups exact sampling remeshing cloud_errors surfels
+            logmap decal flattening base wavelets transport transport_bounds transport_family
+            transport_claims regions flows barycenters volumes)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
