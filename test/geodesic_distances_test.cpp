@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -206,6 +207,29 @@ TEST(Geodesic_distances, ignore_speed_of_one)
   GP::geodesic_distances(domain, std::size_t(3), CGAL::make_property_map(found_on_cloud),
                          GP::parameters::speed_map(CGAL::make_property_map(surfel_ones)));
   EXPECT_EQ(found_on_cloud, expected_on_cloud);
+}
+
+// Fronts of both sides of a thin part mix, so that single distances are far too short.
+TEST(Geodesic_distances, are_not_below_straight_lines_on_thin_clouds)
+{
+  Surfels surfels = sphere_surfels(3);
+  constexpr double thickness = 0.03;
+  for(auto& [p, n] : surfels)
+  {
+    p = Kernel::Point_3(p[0], p[1], thickness * p[2]);
+    const double length = std::hypot(n[0], n[1], n[2] / thickness);
+    n = Kernel::Vector_3(n[0], n[1], n[2] / thickness) / length;
+  }
+  const auto domain = GP::make_domain(
+      surfels, GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
+  GP::Geodesic_distance_solver<Surfels> solver(domain);
+  for(std::size_t source = 0; source < surfels.size(); source += 40)
+  {
+    solver.compute(source, GP::parameters::default_values());
+    for(std::size_t i = 0; i < surfels.size(); ++i)
+      EXPECT_GE(solver.distance(i),
+                std::sqrt(CGAL::squared_distance(surfels[i].first, surfels[source].first)) - 1e-14);
+  }
 }
 
 // With speed 4 everywhere, all results are a quarter of those without speeds, also for fronts that

@@ -125,7 +125,7 @@ void initialize(Front_state& front, const std::vector<Front_source>& sources)
   front.has_single_source = sources.size() == 1;
   front.point_source.reset();
   if(front.has_directions() && front.has_single_source && sources[0].polyline.size() == 1 &&
-     !surface.is_cloud() && !surface.point.empty())
+     !surface.point.empty())
     front.point_source = scaled_coordinates(surface, sources[0].polyline[0]);
   front.offsets.clear();
   for(const Front_source& source : sources)

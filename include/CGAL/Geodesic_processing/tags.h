@@ -43,8 +43,8 @@ struct Fast_marching
 /// percent on common meshes, and up to some tenths on rough scans. On CAD models the mean error is
 /// up to one percent, and single distances are wrong by some percent. On clouds of smooth surfaces
 /// they are as on common meshes; on sharp or thin parts with few surfels, single distances are
-/// wrong by some tens of percent. On a mesh, no distance exceeds the length of a path along edges,
-/// and from a single point, none is below the length of the straight line.
+/// wrong by more than ten percent. On a mesh, no distance exceeds the length of a path along edges.
+/// From a single point, none is below the length of the straight line.
 ///
 /// Circular fronts are due to Reimers \cgalCite{cgal:r-tvs-04}. Here the curvature of the circle is
 /// not assumed, but fitted to a direction and two distances. If speeds are not all equal, the front

@@ -100,8 +100,8 @@ struct Front_state
   double min_offset = 0.;
   double max_distance = infinity;
   bool has_single_source = false;
-  // Euclidean fronts only: the scaled coordinates of the only source, if it is a point on a mesh
-  // with coordinates. Then no distance is shorter than the straight line to it.
+  // Euclidean fronts only: the scaled coordinates of the only source, if it is a point and the
+  // surface has coordinates. Then no distance is shorter than the straight line to it.
   std::optional<Vec3> point_source;
   const std::vector<double>* known_distance = nullptr; // #vertices; see Front_limits
   // Whether the current vertex improves its known distance. Otherwise it relaxes only vertices
