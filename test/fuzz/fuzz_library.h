@@ -544,6 +544,16 @@ inline bool is_isolated(const GP::Location<Mesh>& location)
 }
 inline bool is_isolated(const GP::Location<Cloud>&) { return false; }
 
+// Returns whether a location is a vertex or a surfel.
+inline bool is_at_vertex(const GP::Location<Mesh>& location)
+{
+  return *std::max_element(location.second.begin(), location.second.end()) == 1.;
+}
+inline bool is_at_vertex(const GP::Location<Cloud>& location)
+{
+  return location.offset == std::array<double, 2>{0., 0.};
+}
+
 // Checks that a location is on the surface: domain.point() refuses other ones.
 template <typename Domain, typename Location>
 void require_valid(const Domain& domain, const Location& location)

@@ -18,7 +18,8 @@ namespace CGAL::Geodesic_processing {
 /// \ingroup PkgGeodesicProcessingTransport
 ///
 /// Stores a path along which a flow transports mass. Its `front_distance` is the increase of the
-/// potential from its start to its end. No path between these ends is shorter.
+/// potential from its start to its end, interpolated linearly in faces. If these ends are vertices
+/// or surfels, no path between them is shorter.
 template <typename Surface>
 struct Streamline : Surface_path<Surface>
 {
