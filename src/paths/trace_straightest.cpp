@@ -50,14 +50,15 @@ public:
 
   Straightest_path operator()()
   {
-    std::size_t number_of_stalled_steps = 0;
+    std::size_t number_of_steps = 0, number_of_stalled_steps = 0;
+    const std::size_t max_steps = 1000000 + 10 * std::size_t(t.number_of_triangles());
     while(m_remaining_length > 0. && m_path.end == Straightest_path_end::length)
     {
       const double previous_length = m_remaining_length;
       cross_triangle();
       number_of_stalled_steps =
           m_remaining_length < previous_length ? 0 : number_of_stalled_steps + 1;
-      if(number_of_stalled_steps > 10000)
+      if(number_of_stalled_steps > 10000 || ++number_of_steps > max_steps)
         m_path.end = Straightest_path_end::degenerate;
     }
     m_path.angle = std::atan2(m_direction[1], m_direction[0]);

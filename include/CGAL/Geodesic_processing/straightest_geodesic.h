@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_STRAIGHTEST_GEODESIC_H
 
 #include <CGAL/Geodesic_processing/Surface_path.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/trace_on_cloud.h>
 #include <CGAL/Geodesic_processing/internal/paths/trace_straightest.h>
@@ -35,6 +36,8 @@ straightest_on_mesh(const Domain& domain, const Surface_location& from, const Ve
 {
   const Surface_arrays& t = *domain.triangles();
   const Straightest_path path = trace_straightest_in_space(t, from, direction, length / t.scale);
+  if(path.end == Straightest_path_end::degenerate)
+    throw Unsupported_surface_error("The straightest geodesic crosses too many thin triangles.");
   Straightest_geodesic<typename Domain::Surface> result{
       surface_path(domain, path.locations, t.scale * path.length)};
   result.length = t.scale * path.length;
@@ -99,6 +102,8 @@ Straightest_geodesic<typename Domain::Surface> outer_path(const Domain& domain,
 ///          path is not cut, it agrees with the requested length to about nine digits
 /// \throws Invalid_argument_error if the direction is normal to the plane, the length is invalid,
 ///         or the surfel is not in the cloud
+/// \throws Unsupported_surface_error if the path crosses more than 10<SUP>6</SUP> + 10 n faces of
+///         a mesh of n faces, or 10<SUP>4</SUP> faces one after the other at one point
 ///
 /// After `make_domain()`, O(number of crossed faces) time on a mesh. On a cloud of n surfels,
 /// O(n log n) time for the fit, and O(1) time for each half of the distance between surfels. For

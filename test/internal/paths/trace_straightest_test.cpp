@@ -266,6 +266,21 @@ TEST(Trace_straightest, passes_through_slivers)
   }
 }
 
+// Two triangles of the height 1e-7, back to back: a path around them crosses them ten million times
+// per unit of length.
+TEST(Trace_straightest, number_of_crossed_triangles_is_bounded)
+{
+  const Surface surface({{{0., 0., 0.}, {1., 0., 0.}, {0.5, 1e-7, 0.}}, {0, 1, 2, 0, 2, 1}});
+  Surface_location from;
+  from.triangle = 0;
+  from.barycentric = {0.3, 0.3, 0.4};
+  const double angle = surface.angle_of(from, {0., 1., 0.});
+  EXPECT_EQ(trace_straightest(surface.t(), from, angle, 0.01).end, Straightest_path_end::length);
+  const Straightest_path path = trace_straightest(surface.t(), from, angle, 1.);
+  EXPECT_EQ(path.end, Straightest_path_end::degenerate);
+  EXPECT_LT(path.locations.size(), 1100000u); // 10^6 + 10 #triangles, and the ends
+}
+
 TEST(Trace_straightest, accepts_directions_in_space)
 {
   // The square is in a tilted plane, so that directions have a normal component.

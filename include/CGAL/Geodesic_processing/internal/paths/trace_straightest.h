@@ -15,7 +15,7 @@ enum class Straightest_path_end
 {
   length,    // it has the requested length
   boundary,  // it reached a boundary edge, or a boundary vertex that it cannot pass
-  degenerate // it crossed ten thousand triangles without becoming longer
+  degenerate // it crossed 10^4 triangles without becoming longer, or 10^6 + 10 #triangles in all
 };
 
 struct Straightest_path
