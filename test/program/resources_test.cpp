@@ -43,11 +43,12 @@ std::string bump(std::size_t n)
   return text.str();
 }
 
-// The address sanitizer reserves terabytes of address space, so it does not run with this limit.
+// Sanitizers reserve terabytes of address space, so they do not run with this limit.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool is_memory_limited = false;
 #elif defined(__has_feature)
-constexpr bool is_memory_limited = !__has_feature(address_sanitizer);
+constexpr bool is_memory_limited =
+    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool is_memory_limited = true;
 #endif
@@ -55,7 +56,7 @@ constexpr bool is_memory_limited = true;
 TEST_F(Program, exits_with_2_if_memory_is_insufficient)
 {
   if(!is_memory_limited)
-    GTEST_SKIP() << "The address sanitizer needs more memory than the limit.";
+    GTEST_SKIP() << "A sanitizer needs more memory than the limit.";
   write("large.off", bump(250));
   // If OpenBLAS cannot allocate a buffer, it repeats the allocation forever. With one thread, the
   // program starts without a buffer, and these commands need none.
