@@ -117,6 +117,7 @@ const std::vector<Change> changes = {
      "emd\tthe program does not print exactly one sentence when it returns 2"},
     {"emd.json", "}", "", "emd\tstandard output is not a JSON object"},
     {"emd.json", "1.4142", "null", "emd\tthe number \"value\" is not finite"},
+    {"segment.json", "[2.0, 1.0]", "[null, 1.0]", "segment\tthe number \"energies\" is not finite"},
     {"emd.json", "lower", "low", "emd\tthe JSON object has no number \"lower\""},
 
     {"info.json", "\"vertices\": 4", "\"vertices\": 5",
