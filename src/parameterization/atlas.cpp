@@ -45,7 +45,7 @@ Index label_remaining_components(const Surface_arrays& t, std::vector<Index>& pa
              : number_of_patches + Index(split_into_disks(t, patch, number_of_patches).size());
 }
 
-// Packings are repeated at most so often after charts have been split.
+// Maximum number of times that charts are split and packed again.
 constexpr unsigned max_splits = 8;
 
 Packing pack_charts(const std::vector<Chart>& charts, const Atlas_options& options)
@@ -56,7 +56,7 @@ Packing pack_charts(const std::vector<Chart>& charts, const Atlas_options& optio
   return pack(outlines, options.texels, options.gutter, options.tessellation.number_of_threads);
 }
 
-// Returns a chart whose image are the rounded texture coordinates of a packed one.
+// Returns a packed chart whose image has the rounded texture coordinates.
 Chart placed(Chart chart, const Packing& packing, Index i, std::size_t texels)
 {
   for(Vec2& p : chart.image)

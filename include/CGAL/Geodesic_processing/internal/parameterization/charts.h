@@ -42,9 +42,9 @@ std::size_t number_of_flips(const Chart& chart);
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_injective(const Chart& chart);
 
-// Returns two triangles between which a split makes a chart injective: those whose boundary edges
-// intersect, or, if triangles are inverted or no boundary edges of two triangles intersect, those at
-// the ends of the longest extent, because charts that are too distorted are long.
+// Returns the two triangles between which a chart that is not injective is split: those whose
+// boundary edges intersect. If triangles are inverted, or if the edges belong to one triangle, they
+// are those at the ends of the longest extent, because charts that are too distorted are long.
 // \pre The chart has at least two triangles.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::array<Index, 2> triangles_to_separate(const Chart& chart);
