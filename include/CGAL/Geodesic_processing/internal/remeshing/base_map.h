@@ -79,8 +79,8 @@ private:
 
 // Computes a base mesh and its map. If a large part of a region has a short boundary, as a closed
 // tube with one base triangle has, the image of this part can be smaller than round-off errors.
-// While triangles are inverted, a sample is added inside their region, and the base mesh is computed
-// again, at most 10 times. The result is the map with the fewest inverted triangles.
+// While triangles are inverted, a sample is added inside their region, and the base mesh is
+// computed again, at most 10 times. The result is the map with the fewest inverted triangles.
 //
 // Returns null if the callback cancelled. Throws the exceptions of build_base_mesh().
 CGAL_GEODESIC_PROCESSING_EXPORT
