@@ -5,8 +5,6 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include "distances/obstacles.h"
 
-#include <algorithm>
-#include <functional>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -62,11 +60,7 @@ void Distance_engine::select(const Front_limits& limits)
 bool Distance_engine::run(const std::vector<Front_source>& sources, const Front_limits& limits)
 {
   select(limits);
-  const auto& slowness = limits.slowness;
-  const bool is_constant =
-      !slowness || std::adjacent_find(slowness->begin(), slowness->end(), std::not_equal_to<>()) ==
-                       slowness->end();
-  m_slowness = is_constant ? nullptr : slowness;
+  m_slowness = constant_slowness(limits.slowness.get()) ? nullptr : limits.slowness;
   return std::visit([&](auto& kernel) { return kernel.run(sources, limits); }, m_kernel);
 }
 

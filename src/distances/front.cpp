@@ -10,13 +10,12 @@
 #include "core/unfold.h"
 #include "distances/front_relaxation.h"
 #include "distances/front_updates.h"
+#include "distances/obstacles.h"
 #include "mesh/Intrinsic_triangulation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -88,18 +87,6 @@ void select_triangles(Front_state& front)
   front.triangles = front.intrinsic_triangulation && !front.slowness
                         ? front.intrinsic_triangulation->triangles()
                         : front.surface;
-}
-
-// Returns the slowness if it is the same everywhere, and no obstacle.
-std::optional<double> constant_value(const std::vector<double>* slowness)
-{
-  if(!slowness || slowness->empty())
-    return 1.;
-  const double value = slowness->front();
-  const bool is_constant =
-      value < infinity && std::adjacent_find(slowness->begin(), slowness->end(),
-                                             std::not_equal_to<>()) == slowness->end();
-  return is_constant ? std::optional(value) : std::nullopt;
 }
 
 // Returns the distance at a location through a corner of its triangle of the surface.
@@ -219,7 +206,7 @@ void Front::begin_query(const Front_limits& limits)
   if(limits.slowness != m_slowness)
   {
     m_slowness = limits.slowness;
-    m_constant_slowness = constant_value(m_slowness.get());
+    m_constant_slowness = constant_slowness(m_slowness.get());
   }
   front.unit = m_constant_slowness.value_or(1.);
   front.slowness = m_constant_slowness ? nullptr : m_slowness;

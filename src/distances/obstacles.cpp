@@ -6,7 +6,9 @@
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include "distances/Window_propagator.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -42,6 +44,17 @@ std::optional<double> uniform_slowness(const std::vector<double>& slowness)
       result = result.value_or(value);
     }
   return result.value_or(1.);
+}
+
+std::optional<double> constant_slowness(const std::vector<double>* slowness)
+{
+  if(!slowness || slowness->empty())
+    return 1.;
+  const double value = slowness->front();
+  const bool is_constant =
+      value < infinity && std::adjacent_find(slowness->begin(), slowness->end(),
+                                             std::not_equal_to<>()) == slowness->end();
+  return is_constant ? std::optional(value) : std::nullopt;
 }
 
 std::shared_ptr<const Surface_arrays> without_obstacles(const Surface_arrays& mesh,

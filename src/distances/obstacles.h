@@ -20,6 +20,10 @@ namespace CGAL::Geodesic_processing::internal {
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<double> uniform_slowness(const std::vector<double>& slowness);
 
+// Returns the slowness if it is exactly the same in all triangles and none is an obstacle. It is 1
+// for null and without triangles.
+std::optional<double> constant_slowness(const std::vector<double>* slowness);
+
 // Returns a copy of a mesh without its obstacles.
 //
 // Vertices and triangles keep their indices. The halfedges of an obstacle have length 0 and no
