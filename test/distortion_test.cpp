@@ -194,6 +194,33 @@ TEST(distortion, flattening_distortion_is_scale_invariant)
   EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 72u);
 }
 
+// At these scales, areas overflow or underflow.
+TEST(distortion, flattening_distortion_does_not_depend_on_units)
+{
+  for(const double scale : {1., 1e-160, 1e160})
+    for(const double image_scale : {1., 1e-160, 1e160})
+    {
+      Triangulation triangulation = square(6, 0.2);
+      for(auto& point : triangulation.points)
+        for(double& x : point)
+          x *= scale;
+      Mesh mesh = mesh_of(triangulation);
+      const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
+      for(const Vertex v : mesh.vertices())
+        uv[v] = {2. * image_scale * (mesh.point(v).x() / scale),
+                 image_scale * (mesh.point(v).y() / scale)};
+      const auto found = GP::flattening_distortion(mesh, uv);
+      EXPECT_EQ(found.number_of_triangles, 72u);
+      EXPECT_EQ(found.number_of_flips, 0u);
+      const double round_off = 1e-12; // of sums of 72 terms
+      EXPECT_NEAR(found.conformal, std::sqrt(0.5), round_off);
+      EXPECT_NEAR(found.authalic, 0., round_off);
+      EXPECT_NEAR(found.symmetric_dirichlet, 5., round_off);
+      EXPECT_NEAR(found.l2_stretch, std::sqrt(1.25), round_off);
+      EXPECT_NEAR(found.linf_stretch, std::sqrt(2.), round_off);
+    }
+}
+
 TEST(distortion, domain_gives_the_values_of_its_mesh)
 {
   const Sheared_mesh sheared(torus(24, 12));

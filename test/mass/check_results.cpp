@@ -539,6 +539,15 @@ struct Chart_size
   std::set<std::size_t> vertices;
 };
 
+// Returns a power of two near the largest absolute coordinate, or 1 if all are zero.
+double size_of(const std::vector<Point>& points)
+{
+  double result = 0.;
+  for(const Point& p : points)
+    result = std::max({result, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  return result > 0. ? std::ldexp(1., std::ilogb(result)) : 1.;
+}
+
 double squared_longest_edge(const Textured_mesh& mesh, const std::array<std::size_t, 3>& corners)
 {
   double result = 0.;
@@ -556,8 +565,12 @@ double squared_longest_edge(const Textured_mesh& mesh, const std::array<std::siz
 // Therefore the factor of the area of a chart, which is the mean of d, is at most half of the
 // maximum energy, and at least the reciprocal of that. The energy is computed with a minimum height
 // of the faces, so the areas are too.
-std::vector<Triangle_2> check_areas(Results& results, const Textured_mesh& mesh)
+std::vector<Triangle_2> check_areas(Results& results, Textured_mesh mesh)
 {
+  // In this unit, squares of areas are representable.
+  const double unit = size_of(mesh.points);
+  for(Point& p : mesh.points)
+    p = {p.x() / unit, p.y() / unit, p.z() / unit};
   double area = 0., coverage = 0., products = 0.;
   std::vector<Triangle_2> triangles;
   std::map<std::size_t, Chart_size> charts_by_label;
@@ -578,17 +591,25 @@ std::vector<Triangle_2> check_areas(Results& results, const Textured_mesh& mesh)
     size.image_area += image_area;
     size.vertices.insert(uv.begin(), uv.end());
   }
-  const double input_area = results.number("info", "area");
   // The round-off error of an area is relative to the products of the edges. If the faces are flat,
-  // it exceeds that of the sum.
-  results.expect(std::abs(area - input_area) <= round_off * input_area + 1e-15 * products, "atlas",
-                 "the faces have the area %, but the surface has the area %", {area, input_area});
+  // it exceeds that of the sum. The area of the surface is null if it overflows, and is rounded to
+  // a multiple of the smallest number for each face if it underflows.
+  if(!results.json("info").value("area", nlohmann::json()).is_null())
+  {
+    const double input_area = results.number("info", "area");
+    const double underflow =
+        double(mesh.corners.size()) * std::numeric_limits<double>::denorm_min();
+    results.expect(std::abs(unit * (unit * area) - input_area) <=
+                       round_off * input_area + unit * (unit * 1e-15 * products) + underflow,
+                   "atlas", "the faces have the area %, but the surface has the area %",
+                   {unit * (unit * area), input_area});
+  }
   const double reported = results.number("atlas", "coverage");
   results.expect(std::abs(coverage - reported) <= round_off, "atlas",
                  "the faces cover % of the texture, but the JSON has the coverage %",
                  {coverage, reported});
   // All charts have the scale of the JSON.
-  const double scale = results.number("atlas", "texels_per_length") / texture_size;
+  const double scale = unit * results.number("atlas", "texels_per_length") / texture_size;
   double worst = 1.;
   for(const auto& [label, chart] : charts_by_label)
     if(chart.rest_area > round_off * area)

@@ -103,6 +103,20 @@ TEST_F(Check_results, refusal_with_one_sentence_is_no_violation)
   EXPECT_EQ(check(files), std::vector<std::string>());
 }
 
+// Areas of a surface with large coordinates overflow, and the program writes null.
+TEST_F(Check_results, areas_can_overflow)
+{
+  Files files = good_results();
+  const auto replace =
+      [&](const std::string& file, const std::string& text, const std::string& replacement)
+  { files[file].replace(files[file].find(text), text.size(), replacement); };
+  replace("info.json", "1.0", "null");
+  EXPECT_EQ(check(files).size(), 1u);
+  replace("info.json", "\"degenerate_faces\": 0",
+          "\"degenerate_faces\": 0, \"bounding_box\": [[0, 0, 0], [1e155, 1e155, 0]]");
+  EXPECT_EQ(check(files), std::vector<std::string>());
+}
+
 struct Change
 {
   std::string file, text, replacement; // the first occurrence of the text is replaced

@@ -136,16 +136,17 @@ std::array<Vec2, 3> image_of_triangle(const Domain& domain, Index triangle, cons
 }
 
 // Computes the distortion of a triangle of a domain. The area is multiplied by the weight of the
-// triangle.
+// triangle. Lengths on the surface are in units of the caller, or of the domain if `scale` is 1.
 template <typename Domain, typename UVMap>
-Face_distortion distortion_of_triangle(const Domain& domain, Index triangle, const UVMap& uv_map)
+Face_distortion distortion_of_triangle(const Domain& domain, Index triangle, const UVMap& uv_map,
+                                       double scale)
 {
   const Surface_arrays& t = *domain.triangles();
   // The lengths of the arrays are not used, because they have a positive minimum.
   std::array<double, 3> lengths;
   for(Index k = 0; k < 3; ++k)
-    lengths[k] = t.scale * norm(t.point[t.corner[3 * triangle + (k + 1) % 3]] -
-                                t.point[t.corner[3 * triangle + k]]);
+    lengths[k] = scale * norm(t.point[t.corner[3 * triangle + (k + 1) % 3]] -
+                              t.point[t.corner[3 * triangle + k]]);
   const Singular_values found =
       singular_values(lengths, image_of_triangle(domain, triangle, uv_map));
   const double weight = t.weight.empty() ? 1. : double(t.weight[triangle]);
@@ -182,7 +183,8 @@ Face_distortion face_distortion(Face face, const Mesh& mesh, UVMap uv_map,
   if constexpr(!std::is_same_v<Mesh, Surface_of<Mesh>>)
   {
     (void)np;
-    return internal::distortion_of_triangle(mesh, mesh.triangle(face), uv_map);
+    return internal::distortion_of_triangle(mesh, mesh.triangle(face), uv_map,
+                                            mesh.triangles()->scale);
   }
   else
   {
@@ -218,8 +220,8 @@ struct Surface_distortion
   std::size_t number_of_triangles = 0; ///< triangles that have an image
   std::size_t number_of_flips = 0;     ///< triangles whose image is clockwise (inverted)
 
-  /// Returns the mean of the measure, weighted by area; NaN if there are no triangles with area.
-  /// O(1).
+  /// Returns the mean of the measure, weighted by area. It is NaN if no triangle has area, or if the
+  /// total area overflows. O(1).
   double mean() const { return integral / area; }
 };
 
@@ -256,7 +258,8 @@ surface_distortion(const Surface& surface, UVMap uv_map, Measure measure,
   Surface_distortion<Surface_of<Surface>> result;
   for(internal::Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
   {
-    const Face_distortion distortion = internal::distortion_of_triangle(domain, f, uv_map);
+    const Face_distortion distortion =
+        internal::distortion_of_triangle(domain, f, uv_map, domain.triangles()->scale);
     if(std::isnan(distortion.sigma_1))
       continue;
     const double value = std::invoke(measure, distortion);
@@ -325,19 +328,24 @@ Flattening_distortion flattening_distortion(const Surface& surface, UVMap uv_map
   {
     for(internal::Index i = 0; i < domain.triangles()->number_of_triangles(); ++i)
     {
-      const Face_distortion distortion = internal::distortion_of_triangle(domain, i, uv_map);
+      // In units of the domain, areas neither overflow nor underflow.
+      const Face_distortion distortion = internal::distortion_of_triangle(domain, i, uv_map, 1.);
       if(distortion.area > 0. && !std::isnan(distortion.sigma_1))
         f(distortion);
     }
   };
+  // The factor of lengths between the image and the surface is near this power of two.
+  double unit = internal::infinity;
+  for_each([&](const Face_distortion& face) { unit = (std::min)(unit, face.sigma_1); });
+  unit = std::isinf(unit) ? 1. : std::ldexp(1., std::ilogb(unit));
   double area = 0., image = 0.;
   for_each(
       [&](const Face_distortion& face)
       {
         area += face.area;
-        image += face.area / (face.sigma_1 * face.sigma_2);
+        image += face.area / ((face.sigma_1 / unit) * (face.sigma_2 / unit));
       });
-  const double scale = image > 0. ? std::sqrt(image / area) : 1.;
+  const double scale = image > 0. ? std::sqrt(image / area) / unit : 1.;
 
   Flattening_distortion result;
   for_each(

@@ -38,6 +38,27 @@ TEST(singular_values, recover_known_stretch)
     }
 }
 
+TEST(singular_values, do_not_depend_on_units)
+{
+  const std::array<Vec2, 3> image = {Vec2{0.3, 0.1}, Vec2{1.4, 0.2}, Vec2{0.5, 0.9}};
+  const std::array<double, 3> lengths = {2., 3., 4.};
+  const Singular_values expected = singular_values(lengths, image);
+  // The squares of these powers of two are not representable.
+  for(const double unit : {0x1p-600, 0x1p600})
+    for(const double image_unit : {0x1p-600, 1., 0x1p600})
+    {
+      const Singular_values found =
+          singular_values({unit * lengths[0], unit * lengths[1], unit * lengths[2]},
+                          {image_unit * image[0], image_unit * image[1], image_unit * image[2]});
+      if(image_unit == 1. || image_unit == unit)
+      {
+        EXPECT_EQ(found.sigma_1, unit / image_unit * expected.sigma_1);
+        EXPECT_EQ(found.sigma_2, unit / image_unit * expected.sigma_2);
+      }
+      EXPECT_EQ(found.is_inverted, expected.is_inverted);
+    }
+}
+
 TEST(singular_values, are_infinite_for_degenerate_image)
 {
   const Singular_values found =
