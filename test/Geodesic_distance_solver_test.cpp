@@ -323,6 +323,32 @@ TEST(Default_geodesic_distance_solver, is_exact_around_obstacles)
   EXPECT_GE(path.lower, expected * (1. - 1e-11)); // the tolerance of exact paths
 }
 
+// Distances are travel times plus the offset of the source. The lower bound of a path is a length.
+TEST(Default_geodesic_distance_solver, lower_bound_of_path_is_a_length)
+{
+  Mesh mesh = mesh_of(square(10));
+  const Vertex from(0), to(120); // opposite corners
+  const double expected = std::sqrt(2.), tolerance = 0.01;
+  GP::Geodesic_distance_solver<Mesh> solver(mesh);
+  for(const double speed : {0.5, 1., 2.})
+  {
+    auto speeds = mesh.add_property_map<Face, double>("f:speed", speed).first;
+    for(const double offset : {0., 10.})
+    {
+      const GP::Source<Mesh> source(from, offset);
+      const auto np = GP::parameters::face_speed_map(speeds);
+      solver.compute(source, np.relative_tolerance(tolerance));
+      EXPECT_NEAR(solver.distance(to), offset + expected / speed,
+                  tolerance * (offset + expected / speed));
+      const auto path = solver.path(to);
+      EXPECT_NEAR(path.length, expected, round_off);
+      EXPECT_LE(path.lower, expected * (1. + round_off));
+      EXPECT_GE(path.lower, expected * (1. - tolerance) - round_off);
+    }
+    mesh.remove_property_map(speeds);
+  }
+}
+
 TEST(Default_geodesic_distance_solver, is_the_euclidean_front_on_clouds)
 {
   const Surfels cloud = sphere_surfels(3);

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iterator>
 #include <numeric>
 #include <set>
@@ -97,6 +98,32 @@ TEST(Farthest_point_sampling, stops_at_covering_radius)
   // at least 1 / (pi r^2). Widening the square by r / 2 on each side yields the upper bound.
   EXPECT_GT(samples.size(), 1. / (pi * 0.15 * 0.15));
   EXPECT_LT(samples.size(), 1.15 * 1.15 / (pi * 0.075 * 0.075));
+}
+
+// Without a limit of the number, progress follows from the covering radius.
+TEST(Farthest_point_sampling, reports_progress_towards_covering_radius)
+{
+  const Mesh mesh = mesh_of(square(20, 0.2));
+  Samples samples;
+  std::vector<double> fractions;
+  GP::farthest_point_sampling(mesh, all, std::back_inserter(samples),
+                              GP::parameters::covering_radius(0.05).callback(
+                                  [&](double fraction)
+                                  {
+                                    fractions.push_back(fraction);
+                                    return true;
+                                  }));
+  ASSERT_FALSE(fractions.empty());
+  EXPECT_EQ(fractions.front(), 0.);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_LE(fractions.back(), 1.);
+  // The radius of the next to last sample is less than a third larger than that of the last one.
+  EXPECT_GT(fractions.back(), 0.5);
+  // Half of the progress is reached after a quarter to three quarters of the calls.
+  const auto half = std::lower_bound(fractions.begin(), fractions.end(), 0.5);
+  const double calls = double(half - fractions.begin()) / double(fractions.size());
+  EXPECT_GT(calls, 0.25);
+  EXPECT_LT(calls, 0.75);
 }
 
 TEST(Farthest_point_sampling, continues_from_first_samples)

@@ -241,11 +241,17 @@ Bounded_path Window_propagation::path(const Surface_location& query) const
 // Returns the locally shortest path that shortens the path along the predecessors.
 Bounded_path Window_propagation::path_along_edges(const Surface_location& from) const
 {
-  const double lower = bounds(from).lower;
-  if(lower == infinity)
+  const double bound = unscaled_bounds(from).lower;
+  if(bound == infinity)
     return {};
+  // The distance contains the offset of a source, which is not part of the length.
+  double max_offset = m_state.min_offset;
+  for(const Front_source& source : m_sources)
+    max_offset = std::max(max_offset, source.offset);
+  const double lower = without_excess(bound - (max_offset - m_state.min_offset));
   return {path_to_sources(
-              *m_state.triangles, from, m_sources, [&](Index i) { return distance(i); },
+              *m_state.triangles, from, m_sources,
+              [&](Index i) { return distance(i) / m_slowness; },
               [&](Index i) { return predecessor(i); }, [&](Index i) { return source(i); }),
           lower};
 }

@@ -291,16 +291,21 @@ bool sample_farthest_points(Sampling& sampling, const Sampling_options& options,
                             const std::function<void(double)>& report_radius)
 {
   std::size_t number_added = 0;
+  double radius = sampling.covering_radius();
   std::function<bool(double)> callback;
   if(options.callback)
     callback = [&](double)
-    { return options.callback(double(number_added) / double(options.number_of_samples)); };
+    {
+      // The number of samples grows as the inverse square of the covering radius.
+      const double ratio = options.covering_radius / radius;
+      return options.callback((std::max)(double(number_added) / double(options.number_of_samples),
+                                         (std::min)(1., ratio * ratio)));
+    };
   const std::vector<Index>& vertices = sampling.sampled_vertices();
   Index start = none;
   if(sampling.samples().empty() && !vertices.empty())
     start = vertices[std::mt19937(options.seed)() % vertices.size()];
-  for(double radius = sampling.covering_radius();
-      number_added < options.number_of_samples && radius > options.covering_radius; start = none)
+  for(; number_added < options.number_of_samples && radius > options.covering_radius; start = none)
   {
     if(callback && !callback(0.))
       return false;

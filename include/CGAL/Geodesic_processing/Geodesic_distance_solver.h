@@ -195,7 +195,7 @@ public:
   /// errors; +infinity if no source reaches it. It equals `upper()` unless the mesh has triangles
   /// whose longest edge exceeds their height more than 30 times, or the computation had a
   /// `relative_tolerance`. In the latter case `distance()` is the mean of both, up to the errors of
-  /// these triangles.
+  /// these triangles. With a speed, it is a bound of the travel time.
   /// The method must be `Exact` or `Automatic`, otherwise the call does not compile.
   /// \param vertex a vertex of the mesh
   /// \throws Unsupported_surface_error if `Automatic` did not use `Exact` in the last computation
@@ -282,7 +282,7 @@ public:
       if(const internal::Bounded_path path = windows->path(inner); !path.locations.empty())
       {
         auto result = internal::surface_path(m_domain, path.locations, distance);
-        result.lower = scale() * path.lower;
+        result.lower = (std::max)(result.lower, scale() * path.lower);
         return result;
       }
     return internal::surface_path(m_domain,
