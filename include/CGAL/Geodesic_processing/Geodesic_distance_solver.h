@@ -196,7 +196,8 @@ public:
   /// whose longest edge exceeds their height more than 30 times, or the computation had a
   /// `relative_tolerance`. In the latter case `distance()` is the mean of both, up to the errors of
   /// these triangles. With a speed, it is a bound of the travel time.
-  /// The method must be `Exact` or `Automatic`, otherwise the call does not compile.
+  /// The method must be `Exact` or `Automatic` and the surface a mesh, otherwise the call does not
+  /// compile.
   /// \param vertex a vertex of the mesh
   /// \throws Unsupported_surface_error if `Automatic` did not use `Exact` in the last computation
   double lower(Vertex vertex) const { return scale() * windows().lower(m_domain.index(vertex)); }
@@ -395,7 +396,8 @@ private:
   // Returns the kernel of exact distances.
   const internal::Window_propagation& windows() const
   {
-    static_assert(!internal::is_approximate<Method>, "This query requires the method Exact.");
+    static_assert(!internal::is_approximate<Method> && !internal::Is_cloud<Surface>::value,
+                  "This query requires the method Exact, which needs a mesh.");
     if(const internal::Window_propagation* windows = m_engine.windows())
       return *windows;
     throw Unsupported_surface_error("This query requires the method Exact.");

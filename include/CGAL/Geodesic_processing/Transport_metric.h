@@ -50,8 +50,9 @@ enum class Transport_flow
 /// and is computed from Green's functions.
 ///
 /// For a fixed `Transport_flow` the distance does not increase with \f$ k \f$. It approaches the
-/// geodesic distance but does not converge to it: between points it remains some percent above,
-/// for any basis size.
+/// geodesic distance but does not converge to it: between points that are several edges apart it
+/// remains some percent above, for any basis size. Between adjacent vertices it can be smaller,
+/// because the mass of a vertex is spread over its faces.
 ///
 /// For every \f$ k \f$ this is a metric, up to the gap between the computed bounds. The number
 /// \f$ k \f$ is rounded up to the end of a group of equal eigenvalues. Hence the distance does not

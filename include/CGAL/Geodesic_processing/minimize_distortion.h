@@ -76,8 +76,11 @@ struct Distortion_minimum
 /// \throws Invalid_argument_error if a value of the map is not finite
 /// \throws Cancelled if the callback returns false
 ///
-/// Takes a factorization of a matrix with two unknowns per vertex in each step. About ten steps are
-/// needed, and up to a hundred if the iteration starts at Tutte's map.
+/// Takes a factorization of a matrix with two unknowns per vertex in each step. The iteration ends if
+/// a step decreases the energy by less than 10<SUP>-6</SUP> of it. About ten steps are needed, and
+/// up to a hundred if the iteration starts at Tutte's map. Convergence is slow if large parts must
+/// rotate: on a maze, it ends at the energy 4.005 from the map of `geodesic_lle()`, although the
+/// minimum is 4.
 template <typename Surface, typename UVMap, typename NamedParameters = internal::Default_parameters>
 Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
                                        const NamedParameters& np = NamedParameters())
