@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,25 @@ int main(int argc, char* argv[])
 
   const GP::Base_parameterization<Mesh> base(mesh, std::stoul(argv[2]));
 
-  // The maximum coordinate is 1 at base vertices and 1/3 at the centers of base faces. Isolated
-  // vertices have no base location.
+  // The maximum coordinate is 1 at base vertices and 1/3 at the centers of base faces. The color is
+  // a random number of each base vertex, which is interpolated. Isolated vertices have no base
+  // location.
   const auto max_coordinate =
       mesh.add_property_map<Mesh::Vertex_index, double>("v:coordinate", 0.).first;
+  const auto color = mesh.add_property_map<Mesh::Vertex_index, double>("v:color", 0.).first;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0., 1.);
+  std::vector<double> base_color(base.number_of_base_vertices());
+  for(double& c : base_color)
+    c = uniform(random);
   for(const auto v : mesh.vertices())
     if(!mesh.is_isolated(v))
     {
-      const auto coordinates = base(v).barycentric;
+      const GP::Base_location location = base(v);
+      const auto& coordinates = location.barycentric;
       max_coordinate[v] = *std::max_element(coordinates.begin(), coordinates.end());
+      for(std::size_t k = 0; k < 3; ++k)
+        color[v] += coordinates[k] * base_color[base.base_face(location.face)[k]];
     }
 
   // Computes the distance to the nearest base vertex.

@@ -440,6 +440,8 @@ program sampling_with_speed_map 170 $build/sampling_with_speed_map.ply
 for number in 30 170 680; do
   picture two-speeds-$number "Remeshing of a square with two speeds, from $number samples" \
     remesh $build/sampling_with_speed_map.ply --number $number --speed speed
+  picture square-$number "Remeshing of a square, from $number samples" \
+    remesh $build/sampling_with_speed_map.ply --number $number
 done
 picture three-fronts "Voronoi cells of three seeds, two of them in the slow half" \
   voronoi $build/sampling_with_speed_map.ply --seeds 8000,10101,30000 --speed speed
@@ -468,6 +470,8 @@ program remeshing "$animal" $build/remeshed.off
 property=coordinate program barycentric_isolines "$animal" 100 $build/barycentric_isolines.ply
 picture base-distance "Distance to the nearest base vertex" \
   info $build/barycentric_isolines.ply --property distance
+picture base-colors "Random colors of the base vertices, interpolated by barycentric coordinates" \
+  info $build/barycentric_isolines.ply --property color
 picture step-sample "100 samples by farthest point sampling" sample "$animal" --number 100
 picture step-voronoi "Geodesic Voronoi cells of 100 samples" voronoi "$animal" --number 100
 picture step-remesh "Remeshing: the dual triangulation of 100 Voronoi cells" \
