@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Samples a folded sheet uniformly, with samples attracted by its crease, and repelled by it.
+// Samples a folded sheet uniformly, with samples attracted by its crease, repelled by it, and
+// denser at an edge of an image.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/locate.h>
@@ -50,5 +51,21 @@ int main()
 
   std::cout << "Of 200 samples " << uniform << " lie within 3 of the crease, " << attracted
             << " when it attracts them and " << repelled << " when it repels them.\n";
-  return attracted > 2 * uniform && 2 * repelled < uniform ? EXIT_SUCCESS : EXIT_FAILURE;
+
+  // The image is black on one side of the crease and white on the other.
+  auto image = mesh.add_property_map<Vertex, double>("v:image").first;
+  for(Vertex v : mesh.vertices())
+    image[v] = mesh.point(v).x() < 20. ? 0. : 255.;
+  GP::image_speeds(mesh, image, speed);
+  const auto at_edge_of_image = count_at_crease();
+
+  // The speed is 1 at vertices with the mean curvature of the crease, and lower at flat ones.
+  const Vertex on_crease(20 + 41 * 20), on_flat_side(5 + 41 * 20);
+  GP::similar_curvature_speeds(mesh, on_crease, speed);
+  std::cout << at_edge_of_image << " samples lie there when the image has an edge. The speed for "
+            << "curvatures as at the crease is " << speed[on_flat_side] << " at a flat vertex.\n";
+  return attracted > 2 * uniform && 2 * repelled < uniform && at_edge_of_image > 2 * uniform &&
+                 speed[on_crease] == 1. && speed[on_flat_side] < 0.5
+             ? EXIT_SUCCESS
+             : EXIT_FAILURE;
 }

@@ -1,14 +1,17 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Segments a torus into charts with disk topology and accesses each chart as a mesh.
+// Segments a torus into charts with disk topology, accesses each chart as a mesh, and segments a
+// cloud of surfels.
 #include <CGAL/Geodesic_processing.h>
 
+#include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -20,6 +23,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Face = Mesh::Face_index;
+using Cloud = CGAL::Point_set_3<Point, Kernel::Vector_3>;
 
 namespace GP = CGAL::Geodesic_processing;
 
@@ -66,5 +70,22 @@ int main()
     is_correct =
         is_correct && disk.is_selection_valid() && vertices + disk.number_of_faces() == edges + 1;
   }
+
+  // On a cloud, surfels have labels instead of faces.
+  Cloud cloud(true);
+  for(Mesh::Vertex_index v : mesh.vertices())
+  {
+    const Point& p = mesh.point(v);
+    const double r = std::hypot(p.x(), p.y());
+    cloud.insert(p, Kernel::Vector_3(p.x() - 3. * p.x() / r, p.y() - 3. * p.y() / r, p.z()));
+  }
+  auto label = cloud.add_property_map<std::size_t>("label").first;
+  const std::size_t number_of_cells = GP::geodesic_centroidal_tessellation(cloud, 12, label);
+  std::vector<std::size_t> size(number_of_cells, 0);
+  for(Cloud::Index i : cloud)
+    ++size[label[i]];
+  const auto [smallest, largest] = std::minmax_element(size.begin(), size.end());
+  std::cout << "cells of the cloud have " << *smallest << " to " << *largest << " surfels\n";
+  is_correct = is_correct && number_of_cells == 12 && *smallest > 0;
   return is_correct ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Computes the distance and a path between two points inside a torus, and the distances from one of
-// them to many points.
+// Computes mean value coordinates, the distance and a path of two points inside a torus, and the
+// distances from one of them to many points.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -47,13 +47,27 @@ int main()
 
   // The points are inside the torus, on opposite sides of its axis. Triangles are not refined.
   const Point p(1., 0., 0.), q(-1., 0.1, 0.);
+
+  // The sum of the vertices, weighted by mean value coordinates, is the point.
+  const auto weight = torus.add_property_map<Mesh::Vertex_index, double>("v:weight").first;
+  GP::mean_value_coordinates(torus, q, weight);
+  Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+  for(Mesh::Vertex_index v : torus.vertices())
+    sum += weight[v] * (torus.point(v) - CGAL::ORIGIN);
+  std::cout << "The weighted sum of the vertices is " << CGAL::ORIGIN + sum << ".\n";
+
+  // A single distance.
+  const double distance =
+      GP::volumetric_distance(torus, p, q, GP::parameters::number_of_refinements(0u)).value;
+
   const GP::Volumetric_metric<Mesh> metric(torus, GP::parameters::number_of_refinements(0u));
   const GP::Earth_movers_cost cost = metric.cost(p, q);
   std::cout << "They are " << cost.lower << " to " << cost.upper << " from each other.\n";
 
   // Computes a path inside the torus.
   std::vector<Point> path;
-  bool is_correct = metric.write_path(p, q, std::back_inserter(path));
+  bool is_correct = metric.write_path(p, q, std::back_inserter(path)) && distance == cost.value &&
+                    CGAL::squared_distance(CGAL::ORIGIN + sum, q) < 1e-20;
   double path_length = 0., farthest = 0.;
   for(std::size_t i = 1; i < path.size(); ++i)
   {
