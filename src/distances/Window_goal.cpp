@@ -61,7 +61,7 @@ void Window_goal::find_each(const std::vector<Source_piece>& pieces)
   for(Index i = 0; i < pieces.size(); ++i)
     m_pieces_by_triangle.emplace_back(pieces[i].triangle, i);
   std::sort(m_pieces_by_triangle.begin(), m_pieces_by_triangle.end());
-  m_distances.assign(pieces.size(), infinity);
+  m_meetings.assign(pieces.size(), Meeting{});
 }
 
 const std::vector<Window_arrival>& Window_goal::arrivals(Index vertex) const
@@ -182,8 +182,14 @@ void Window_goal::meet_sources_behind(Index h, const std::vector<Window>& window
         const Index origin = position <= 0.            ? t.corner[h]
                              : position >= t.length[h] ? t.corner[next_halfedge(h)]
                                                        : window.origin;
-        meet(piece, closest_point_on_segment(end, p, q, is_inside), end, window.distance(position),
-             origin);
+        // A point next to a window is in a gap at round-off errors. The line of the window's source
+        // is its line.
+        if(m_mode == Mode::each)
+          meet_each(piece, window.distance(position) + norm(end - p),
+                    (origin == window.origin ? source : end) - p, origin);
+        else
+          meet(piece, closest_point_on_segment(end, p, q, is_inside), end,
+               window.distance(position), origin);
       }
     }
   }
@@ -209,11 +215,7 @@ void Window_goal::meet(const Source_piece& piece, const Vec2& position, const Ve
 {
   const double total = piece.offset + norm(from - position) + distance;
   if(m_mode == Mode::each)
-  {
-    double& shortest = m_distances[std::size_t(&piece - m_pieces.data())];
-    shortest = std::min(shortest, total);
-    return;
-  }
+    return meet_each(piece, total, from - position, origin);
   if(m_mode == Mode::all ? !(total <= m_meeting.distance) : !(total < m_meeting.distance))
     return;
   const auto corners = unfolded(*m_triangles, piece.triangle);
@@ -228,6 +230,15 @@ void Window_goal::meet(const Source_piece& piece, const Vec2& position, const Ve
     m_meetings.push_back(meeting);
   else
     m_meeting = meeting;
+}
+
+// Keeps the line from a point piece to an origin if the total distance is the shortest one so far.
+void Window_goal::meet_each(const Source_piece& piece, double distance, const Vec2& line,
+                            Index origin)
+{
+  Meeting& shortest = m_meetings[std::size_t(&piece - m_pieces.data())];
+  if(distance < shortest.distance)
+    shortest = {distance, none, {}, line, norm(line), origin};
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -50,9 +50,9 @@ public:
 
   bool collects_all() const { return m_mode == Mode::all; }
   const Meeting& meeting() const { return m_meeting; }
+  // After find_each(): for each piece, the shortest line from it to the propagated windows. Its
+  // distance is infinite if no window reaches the piece; its location is not set.
   const std::vector<Meeting>& meetings() const { return m_meetings; }
-  // After find_each(): the distance of each piece from the propagated windows.
-  const std::vector<double>& distances() const { return m_distances; }
   // Returns the arrivals that were kept at a vertex, in a search for all paths.
   const std::vector<Window_arrival>& arrivals(Index vertex) const;
 
@@ -93,6 +93,7 @@ private:
                      const Window& window);
   void meet(const Source_piece& piece, const Vec2& position, const Vec2& from, double distance,
             Index origin);
+  void meet_each(const Source_piece& piece, double distance, const Vec2& line, Index origin);
 
   std::shared_ptr<const Surface_arrays> m_triangles;
   Mode m_mode = Mode::shortest;
@@ -100,7 +101,6 @@ private:
   std::array<double, 3> m_source_point = {0., 0., 0.};       // between
   std::vector<Source_piece> m_pieces;                        // each
   std::vector<std::pair<Index, Index>> m_pieces_by_triangle; // each: as that of a Window_state
-  std::vector<double> m_distances;                           // each
   Meeting m_meeting; // all: its distance is the maximum length
   std::vector<Meeting> m_meetings;
   std::unordered_map<Index, std::vector<Window_arrival>> m_arrivals; // by vertex

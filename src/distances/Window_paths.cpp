@@ -202,7 +202,7 @@ Window_propagation::distances(const std::vector<Surface_location>& queries) cons
   while(!pieces.empty() && !state.queue.empty())
     propagator.step();
   for(std::size_t i = 0; i < pieces.size(); ++i)
-    result[query_of_piece[i]] = std::min(result[query_of_piece[i]], goal.distances()[i]);
+    result[query_of_piece[i]] = std::min(result[query_of_piece[i]], goal.meetings()[i].distance);
   for(double& distance : result)
     distance =
         distance <= m_state.max_distance ? m_slowness * (distance + m_state.min_offset) : infinity;

@@ -95,10 +95,10 @@ TEST(Window_goal, measures_each_piece)
   propagator.start({surface.source(40)});
   while(!state.queue.empty())
     propagator.step();
-  ASSERT_EQ(goal.distances().size(), 2u);
+  ASSERT_EQ(goal.meetings().size(), 2u);
   int i = 0;
   for(const Index face : {9, 3}) // in the plane, not seen from the corners of their triangles only
-    EXPECT_NEAR(surface.scale() * goal.distances()[i++],
+    EXPECT_NEAR(surface.scale() * goal.meetings()[i++].distance,
                 distance(surface.point(40), point_at(surface.t(), surface.in(face, barycentric))),
                 round_off);
 }
