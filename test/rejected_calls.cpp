@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
+#include <CGAL/Geodesic_processing/karcher_mean.h>
 #include <CGAL/Geodesic_processing/texture_atlas.h>
 
 #include <CGAL/Point_set_3.h>
@@ -54,6 +55,8 @@ void call(Mesh& mesh, Cloud& cloud)
   GP::geodesic_distances(cloud, *cloud.begin(), numbers);
   // REASON: The values of an output map must be constructible from the results
   GP::geodesic_distances(mesh, v, mesh.add_property_map<Mesh::Vertex_index, std::string>().first);
+  // REASON: karcher_mean() does not support speeds
+  GP::karcher_mean(mesh, v, GP::parameters::speed_map(distances));
   // REASON: A tangent vector has two components
   GP::exponential_map(mesh, v, Kernel::Vector_3(1., 0., 0.));
   // REASON: A cloud has no faces

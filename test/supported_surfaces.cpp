@@ -144,6 +144,7 @@ CALL(feature_distance, GP::feature_distance(surface, vertices, T::template map<d
 CALL(transport_barycenter, GP::transport_barycenter(surface, vertices, T::template map<double>()))
 CALL(Transport_barycenter_solver, GP::Transport_barycenter_solver<Plain>{surface}.compute(vertices))
 CALL(geodesic_barycenter, GP::geodesic_barycenter(surface, vertices))
+CALL(karcher_mean, GP::karcher_mean(surface, vertices))
 CALL(fuzzy_geodesic, GP::fuzzy_geodesic(surface, p, q, T::template map<double>()))
 CALL(fuzzy_geodesic_by_distances,
      GP::fuzzy_geodesic_by_distances(surface, p, location, T::template map<double>()))

@@ -64,7 +64,7 @@ Surface_location coarse_mean(std::shared_ptr<const Surface_arrays> triangles,
     next = std::size_t(std::max_element(nearest_distance.begin(), nearest_distance.end()) -
                        nearest_distance.begin());
     if(!(nearest_distance[next] < infinity))
-      throw Invalid_argument_error("The locations are not in one component of the surface.");
+      throw Invalid_argument_error("The locations are not all in one component of the surface.");
     if(!(nearest_distance[next] > 0.))
       break;
   }

@@ -81,7 +81,7 @@ public:
     Mean_state x = evaluate(start);
     if(!(x.value < infinity))
       throw Invalid_argument_error(
-          "The initial location is not connected to the locations of positive weight.");
+          "The locations and the initial location are not in one component of the surface.");
     for(;; ++m_number_of_iterations)
     {
       const bool is_converged =
@@ -247,25 +247,24 @@ Mean_location karcher_mean(const std::shared_ptr<const Surface_arrays>& triangle
                            const std::vector<Surface_location>& locations,
                            const std::vector<double>& weights, const Mean_options& options)
 {
-  std::vector<Surface_location> used_locations;
-  std::vector<double> used_weights;
+  std::vector<Surface_location> canonical_locations;
+  for(const Surface_location& location : locations)
+    canonical_locations.push_back(canonical(*triangles, location));
+  // The sum of large weights can overflow.
+  const double max_weight = *std::max_element(weights.begin(), weights.end());
   double total_weight = 0.;
-  for(std::size_t i = 0; i < locations.size(); ++i)
-    if(weights[i] > 0.)
-    {
-      used_locations.push_back(canonical(*triangles, locations[i]));
-      used_weights.push_back(weights[i]);
-      total_weight += weights[i];
-    }
+  for(const double weight : weights)
+    total_weight += weight / max_weight;
+  std::vector<double> unit_weights;
+  for(const double weight : weights)
+    unit_weights.push_back(weight / max_weight / total_weight);
   const Surface_location start =
       options.initial_location
           ? *options.initial_location
-          : coarse_mean(triangles, used_locations, used_weights, options.callback);
-  for(double& weight : used_weights)
-    weight /= total_weight;
-  Departure_finder finder(triangles, std::move(used_locations));
-  Mean_location result = Mean_descent(finder, std::move(used_weights), options)(start);
-  result.value *= total_weight;
+          : coarse_mean(triangles, canonical_locations, unit_weights, options.callback);
+  Departure_finder finder(triangles, std::move(canonical_locations));
+  Mean_location result = Mean_descent(finder, std::move(unit_weights), options)(start);
+  result.value *= total_weight * max_weight;
   return result;
 }
 

@@ -61,6 +61,7 @@
   BOTH(transport_barycenter)                                                                       \
   BOTH(Transport_barycenter_solver)                                                                \
   BOTH(geodesic_barycenter)                                                                        \
+  BOTH(karcher_mean)                                                                               \
   BOTH(fuzzy_geodesic)                                                                             \
   BOTH(fuzzy_geodesic_by_distances)                                                                \
   BOTH(Transport_metric)                                                                           \

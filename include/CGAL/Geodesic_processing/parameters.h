@@ -67,6 +67,7 @@ namespace CGAL::Geodesic_processing {
   NAME(smoothing_radius)                                                                           \
   NAME(weights)                                                                                    \
   NAME(objective_map)                                                                              \
+  NAME(initial_location)                                                                           \
   NAME(do_normalize)                                                                               \
   NAME(do_bound_from_above)                                                                        \
   NAME(do_start_from_last)                                                                         \

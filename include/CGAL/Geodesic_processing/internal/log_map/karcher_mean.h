@@ -49,10 +49,9 @@ struct Mean_location
 // slow.
 //
 // locations  not empty
-// weights    #locations: not negative, with a positive sum
+// weights    #locations: positive
 //
-// Throws Invalid_argument_error if the locations of positive weight, and the initial location, are
-// not in one component. Throws Cancelled if the callback returns false, and
+// Throws Invalid_argument_error if the locations and the initial location are not in one component. Throws Cancelled if the callback returns false, and
 // Unsupported_surface_error as Window_propagation::run(). Takes one window propagation for each
 // evaluation, of which there is usually one per iteration.
 CGAL_GEODESIC_PROCESSING_EXPORT

@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 struct Cloud_mean_options
 {
-  double tolerance = 1e-5; // as Mean_options::tolerance
+  double tolerance = 1e-6; // as Mean_options::tolerance
   std::size_t maximum_number_of_iterations = 100;
   unsigned number_of_threads = 1;
   std::function<bool(double)> callback; // receives the fraction done; returns false to cancel
