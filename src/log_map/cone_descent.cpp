@@ -63,19 +63,30 @@ void append_changes(const Direction_fan& fan, const Direction_pull& pull,
   const double offset = pull.angle - fan.begin;
   const double center = fan.is_closed ? offset - fan.angle * std::floor(offset / fan.angle)
                                       : std::clamp(offset, 0., fan.angle);
-  const double radius = fan.is_closed ? std::min(pi, 0.5 * fan.angle) : pi;
+  const auto add = [&](double image, double begin, double end)
+  {
+    if(!(begin < end))
+      return;
+    const Sinusoid change = {-pull.moment * std::cos(image), -pull.moment * std::sin(image),
+                             -pull.moment};
+    changes.push_back({begin, change});
+    changes.push_back({end, {-change.cosine, -change.sine, -change.constant}});
+  };
+  if(fan.is_closed && fan.angle <= 2. * pi)
+  {
+    // Both sides meet at the opposite direction, without a gap or an overlap by round-off errors.
+    const bool is_first_half = center < 0.5 * fan.angle;
+    const double opposite = center + (is_first_half ? 0.5 : -0.5) * fan.angle;
+    add(is_first_half ? center : center - fan.angle, 0., opposite);
+    add(is_first_half ? center + fan.angle : center, opposite, fan.angle);
+    return;
+  }
   for(const int turn : {-1, 0, 1})
   {
     if(!fan.is_closed && turn != 0)
       continue;
     const double image = center + turn * fan.angle;
-    const double begin = std::max(0., image - radius), end = std::min(fan.angle, image + radius);
-    if(!(begin < end))
-      continue;
-    const Sinusoid change = {-pull.moment * std::cos(image), -pull.moment * std::sin(image),
-                             -pull.moment};
-    changes.push_back({begin, change});
-    changes.push_back({end, {-change.cosine, -change.sine, -change.constant}});
+    add(image, std::max(0., image - pi), std::min(fan.angle, image + pi));
   }
 }
 
