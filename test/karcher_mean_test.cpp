@@ -428,7 +428,7 @@ TEST(Karcher_mean, is_the_centroid_of_a_flat_cloud)
   }
   const auto mean = GP::karcher_mean(cloud, locations);
   EXPECT_TRUE(mean.is_converged);
-  EXPECT_LT(norm(to_vec(mean.point) - centroid), 1e-5); // the tolerance is 1e-6
+  EXPECT_LT(norm(to_vec(mean.point) - centroid), 1e-4); // the tolerance is 1e-5
 }
 
 TEST(Karcher_mean, matches_sphere_on_clouds)
@@ -442,9 +442,9 @@ TEST(Karcher_mean, matches_sphere_on_clouds)
     const auto mean = GP::karcher_mean(cloud, locations, GP::parameters::weights(weights));
     EXPECT_TRUE(mean.is_converged);
     // The locations are projected to the fitted surface, which is the sphere up to round-off
-    // errors. The tolerance is 1e-6.
-    EXPECT_LT(norm(1. / scale * to_vec(mean.point) - on_sphere(p, 1., 0.3)), 1e-5);
-    EXPECT_NEAR(mean.value / scale / scale, 0.75 * 0.25 * 1.44, 1e-6);
+    // errors. The tolerance is 1e-5; an error of 3e-6 of the locations was measured.
+    EXPECT_LT(norm(1. / scale * to_vec(mean.point) - on_sphere(p, 1., 0.3)), 5e-5);
+    EXPECT_NEAR(mean.value / scale / scale, 0.75 * 0.25 * 1.44, 1e-5);
   }
 }
 

@@ -159,8 +159,7 @@ Karcher_mean<typename Domain::Surface> mean_on_cloud(const Domain& domain, const
 /// Then the sum has exactly one minimizer, and it is in this ball \cgalCite{cgal:a-rlpcm-11}. For
 /// half of this radius, the sum is also convex in the ball \cgalCite{cgal:k-rcmms-77}. Otherwise,
 /// there can be several local minima, and the result is one to which the initial location leads.
-/// On a mesh, each vertex with a positive angle defect has this effect at the scale of its edges:
-/// minima closer than the errors of the mesh can exist side by side.
+/// On a mesh, these conditions refer to the smooth surface that it approximates.
 ///
 /// <b>On a mesh</b>, distances and directions are exact. A minimum can be at a vertex only if the
 /// angles of its faces sum to at least 2 &pi;, or to at least &pi; at the boundary. There, the
@@ -195,7 +194,7 @@ Karcher_mean<typename Domain::Surface> mean_on_cloud(const Domain& domain, const
 ///       distance to the farthest location. If that distance is less than 10<SUP>-5</SUP> of the
 ///       extent of the surface, it is replaced by the latter}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{10<SUP>-8</SUP> on a mesh, 10<SUP>-6</SUP> on a cloud}
+///     \cgalParamDefault{10<SUP>-8</SUP> on a mesh, 10<SUP>-5</SUP> on a cloud}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_iterations}
 ///     \cgalParamDescription{the maximum number of steps}

@@ -15,7 +15,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 struct Cloud_mean_options
 {
-  double tolerance = 1e-6; // as Mean_options::tolerance
+  // As Mean_options::tolerance. On random samples of a torus with 2,500 to 40,000 points, the
+  // gradient cannot become smaller than 2e-6, because the fit is not smooth.
+  double tolerance = 1e-5;
   std::size_t maximum_number_of_iterations = 100;
   unsigned number_of_threads = 1;
   std::function<bool(double)> callback; // receives the fraction done; returns false to cancel
