@@ -132,8 +132,10 @@ TEST(Callback, cancels_distances)
         GP::geodesic_barycenter(mesh, std::vector<Vertex>{Vertex(3), Vertex(7)}, np);
       });
   expect_cancellation(
-      "mean", [&](const auto& np)
-      { GP::karcher_mean(mesh, std::vector<Vertex>{Vertex(3), Vertex(70), Vertex(9)}, np); });
+      "mean",
+      [&](const auto& np) {
+        GP::karcher_mean(mesh, std::vector<Vertex>{Vertex(3), Vertex(70), Vertex(9)}, np);
+      });
 }
 
 // Vertices whose distances are not final must not be reached after any kind of interruption.

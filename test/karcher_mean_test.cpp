@@ -264,13 +264,12 @@ TEST(Karcher_mean, can_be_at_a_reflex_vertex)
     for(int k = 0; k < 3; ++k)
       center = center + 1. / 3. * full.points[full.corners[c + k]];
     if(center[0] < 0.25 || center[1] < 0.25)
-      surface.corners.insert(surface.corners.end(), {full.corners[c], full.corners[c + 1],
-                                                     full.corners[c + 2]});
+      surface.corners.insert(surface.corners.end(),
+                             {full.corners[c], full.corners[c + 1], full.corners[c + 2]});
   }
   // The other vertices of the square remain as isolated vertices.
   const Mesh mesh = mesh_of(surface);
-  const auto at = [](std::size_t i, std::size_t j)
-  { return Vertex(Mesh::size_type(i + 9 * j)); };
+  const auto at = [](std::size_t i, std::size_t j) { return Vertex(Mesh::size_type(i + 9 * j)); };
   const std::vector<Vertex> ends = {at(8, 2), at(2, 8)};
   const auto mean = GP::karcher_mean(mesh, ends);
   EXPECT_TRUE(mean.is_converged);
@@ -364,8 +363,8 @@ TEST(Karcher_mean, accepts_faces_without_area)
   const Mesh mesh = mesh_of(split);
   ASSERT_EQ(num_faces(mesh), 10u);
   const std::vector<Vertex> corners = {Vertex(0), Vertex(2), Vertex(6), Vertex(8)};
-  const auto mean = GP::karcher_mean(mesh, corners,
-                                     GP::parameters::weights(std::array<double, 4>{3., 1., 1., 1.}));
+  const auto mean = GP::karcher_mean(
+      mesh, corners, GP::parameters::weights(std::array<double, 4>{3., 1., 1., 1.}));
   EXPECT_TRUE(mean.is_converged);
   EXPECT_LT(norm(to_vec(mean.point) - 1. / 6. * Vec3{2., 2., 0.}), mean_error);
 }
@@ -398,8 +397,7 @@ TEST(Karcher_mean, stops_after_the_maximum_number_of_iterations)
   double previous = 1e9;
   for(const std::size_t number : {0u, 1u, 2u})
   {
-    const auto mean =
-        GP::karcher_mean(mesh, locations, np.maximum_number_of_iterations(number));
+    const auto mean = GP::karcher_mean(mesh, locations, np.maximum_number_of_iterations(number));
     EXPECT_EQ(mean.number_of_iterations, number);
     EXPECT_LT(mean.value, previous);
     previous = mean.value;
@@ -491,9 +489,9 @@ TEST(Karcher_mean, throws_on_clouds)
   EXPECT_THROW(GP::karcher_mean(cloud, std::vector<Index>{Index(0), Index(700)}), Error);
   EXPECT_THROW(GP::karcher_mean(cloud, Index(0), GP::parameters::initial_location(Index(700))),
                Error);
-  EXPECT_THROW(GP::karcher_mean(cloud, Index(0),
-                                GP::parameters::callback([](double) { return false; })),
-               GP::Cancelled);
+  EXPECT_THROW(
+      GP::karcher_mean(cloud, Index(0), GP::parameters::callback([](double) { return false; })),
+      GP::Cancelled);
   const auto mean = GP::karcher_mean(cloud, Index(0));
   EXPECT_TRUE(mean.is_converged);
   EXPECT_LT(norm(to_vec(mean.point) - to_vec(cloud.point(Index(0)))), 1e-5);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Computes the barycenter of three vertices as a single vertex and as a mass distribution.
+// Computes the barycenter of three vertices as a single vertex, as a mass distribution, and as a
+// location.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -55,5 +56,12 @@ int main()
   const auto weighted = GP::geodesic_barycenter(field, houses, GP::parameters::weights(people));
   std::cout << "For all people alike it is at " << field.point(weighted.vertex) << ".\n";
   const double middle = field.point(weighted.vertex).y(); // exact: 0.45, between two rows
-  return is_correct && std::abs(middle - 0.45) < 0.51 / n ? EXIT_SUCCESS : EXIT_FAILURE;
+  is_correct = is_correct && std::abs(middle - 0.45) < 0.51 / n;
+
+  // The Karcher mean is not restricted to vertices.
+  const auto mean = GP::karcher_mean(field, houses, GP::parameters::weights(people));
+  std::cout << "Between the vertices it is at " << mean.point << ".\n";
+  is_correct = is_correct && mean.is_converged && mean.value <= weighted.value &&
+               CGAL::squared_distance(mean.point, Point(0.5, 0.45, 0.)) < 1e-12;
+  return is_correct ? EXIT_SUCCESS : EXIT_FAILURE;
 }

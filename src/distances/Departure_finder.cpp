@@ -73,10 +73,10 @@ Departure_finder::operator()(const Surface_location& from,
       double& shortest = distance[m_targets[k].number];
       shortest = std::min(shortest, goal.meetings()[k].distance);
       for(Index corner = 3 * piece.triangle; corner < 3 * piece.triangle + 3; ++corner)
-        shortest = std::min(
-            shortest, m_state.vertices[t.corner[corner]].distance +
-                          distance_in_triangle(t, piece.triangle, barycentric_at_corner(corner),
-                                               piece.begin));
+        shortest = std::min(shortest,
+                            m_state.vertices[t.corner[corner]].distance +
+                                distance_in_triangle(t, piece.triangle,
+                                                     barycentric_at_corner(corner), piece.begin));
     }
     for(std::size_t i = 0; i < m_to.size(); ++i)
       if(const Index vertex = vertex_of(t, m_to[i]); vertex != none)
@@ -129,14 +129,13 @@ Polar_departure Departure_finder::departure_of_vertex(Index vertex) const
   const Window_arrival& arrival = m_state.vertices[vertex];
   const auto corners = unfolded(t, arrival.corner / 3);
   const Vec2 begin = corners[arrival.corner % 3];
-  const Vec2 to_source =
-      line_length(m_state, arrival) *
-      rotated(arrival.direction, edge_direction(corners, arrival.corner));
+  const Vec2 to_source = line_length(m_state, arrival) *
+                         rotated(arrival.direction, edge_direction(corners, arrival.corner));
   const Surface_location end = *source_point(m_state, arrival.origin);
   if(const auto line = follow_line(t, {arrival.corner / 3, begin, begin + to_source}, end))
-    return {length, polar_angle_at(t,
-                                   {line->triangle, none, *barycentric_in(t, line->triangle, end)},
-                                   line->from - line->target)};
+    return {length,
+            polar_angle_at(t, {line->triangle, none, *barycentric_in(t, line->triangle, end)},
+                           line->from - line->target)};
   std::vector<Surface_location> path = {vertex_location(t, to)};
   append_chain(m_state, to, path);
   return departure_of_path(path, length);
@@ -195,8 +194,8 @@ Polar_departure Departure_finder::departure_of_line(const Source_piece& piece,
             polar_angle_at(t, {line->triangle, none, *barycentric_in(t, line->triangle, end)},
                            line->from - line->target)};
   std::vector<Surface_location> path = {from};
-  append_line(m_state, {{piece.triangle, none, piece.begin}, meeting.direction, meeting.length,
-                        origin},
+  append_line(m_state,
+              {{piece.triangle, none, piece.begin}, meeting.direction, meeting.length, origin},
               path);
   return departure_of_path(path, meeting.distance);
 }

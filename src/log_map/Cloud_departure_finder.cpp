@@ -110,8 +110,8 @@ bool Cloud_departure_finder::shoot(const Projection& from, const Projection& to,
       const bool is_last = norm(miss) > 0.5 * smallest_miss || curve.is_cut_by_boundary;
       smallest_miss = norm(miss);
       best = departure;
-      best.vector = (1. + along / length) * departure.vector +
-                    across / departure.spreading * motion.from_y;
+      best.vector =
+          (1. + along / length) * departure.vector + across / departure.spreading * motion.from_y;
       if(is_last || smallest_miss < shot_tolerance * length)
         break;
     }

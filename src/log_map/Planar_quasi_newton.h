@@ -19,9 +19,8 @@ public:
   Vec2 step(const Vec2& negative_gradient) const
   {
     const double determinant = m_xx * m_yy - m_xy * m_xy;
-    return (1. / determinant) *
-           Vec2{m_yy * negative_gradient[0] - m_xy * negative_gradient[1],
-                m_xx * negative_gradient[1] - m_xy * negative_gradient[0]};
+    return (1. / determinant) * Vec2{m_yy * negative_gradient[0] - m_xy * negative_gradient[1],
+                                     m_xx * negative_gradient[1] - m_xy * negative_gradient[0]};
   }
 
   // Changes to other axes, in which a vector v becomes rotated(v, rotation).
@@ -39,8 +38,7 @@ public:
   void update(const Vec2& step, const Vec2& gradient_change)
   {
     const Vec2 predicted = product(step);
-    const double predicted_curvature = dot(step, predicted),
-                 curvature = dot(step, gradient_change);
+    const double predicted_curvature = dot(step, predicted), curvature = dot(step, gradient_change);
     if(!(predicted_curvature > 0.))
       return;
     constexpr double min_ratio = 0.1;

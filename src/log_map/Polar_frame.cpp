@@ -81,8 +81,7 @@ Straightest_path Polar_frame::path(double polar_angle, double length) const
     corner = next;
   }
   return trace_straightest(t, {corner / 3, none, barycentric_at_corner(corner)},
-                           angle_of_halfedge(corner) +
-                               std::min(angle, interior_angle(t, corner)),
+                           angle_of_halfedge(corner) + std::min(angle, interior_angle(t, corner)),
                            length);
 }
 

@@ -72,8 +72,8 @@ class Mean_descent
 {
 public:
   Mean_descent(Departure_finder& finder, std::vector<double> weights, const Mean_options& options)
-      : t(*finder.triangles()), m_finder(finder), m_weights(std::move(weights)),
-        m_options(options), m_min_spread(min_spread_ratio * extent(t))
+      : t(*finder.triangles()), m_finder(finder), m_weights(std::move(weights)), m_options(options),
+        m_min_spread(min_spread_ratio * extent(t))
   {}
 
   Mean_location operator()(const Surface_location& start)
@@ -106,15 +106,14 @@ private:
   {
     const auto callback = [&](double)
     {
-      return m_options.callback(
-          std::min(1., double(m_number_of_iterations) /
-                           double(std::max<std::size_t>(
-                               1, m_options.maximum_number_of_iterations))));
+      return m_options.callback(std::min(
+          1., double(m_number_of_iterations) /
+                  double(std::max<std::size_t>(1, m_options.maximum_number_of_iterations))));
     };
     Mean_state result = {Polar_frame(t, location), 0., 0., {}, false, {0., 0.}};
-    const auto departures = m_finder(
-        result.frame.location(),
-        m_options.callback ? std::function<bool(double)>(callback) : nullptr);
+    const auto departures =
+        m_finder(result.frame.location(),
+                 m_options.callback ? std::function<bool(double)>(callback) : nullptr);
     std::vector<Direction_pull> pulls;
     for(std::size_t i = 0; i < departures.size(); ++i)
     {
@@ -187,8 +186,8 @@ private:
       return std::nullopt;
     Mean_state y = evaluate(path.locations.back());
     const bool is_lower = y.value <= x.value + sufficient_decrease * slope * path.length;
-    const bool is_flatter = y.value <= x.value * (1. + value_round_off) &&
-                            y.gradient_norm() < 0.9 * x.gradient_norm();
+    const bool is_flatter =
+        y.value <= x.value * (1. + value_round_off) && y.gradient_norm() < 0.9 * x.gradient_norm();
     if(!is_lower && !is_flatter)
       return std::nullopt;
     return Move{std::move(y), std::move(path), angle, true};

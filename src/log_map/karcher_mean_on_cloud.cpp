@@ -206,9 +206,8 @@ Cloud_mean karcher_mean_on_cloud(const Cloud_path_finder& finder,
   const Cloud_departure_finder departures(finder, std::move(inner_locations),
                                           options.number_of_threads);
   Projection end;
-  Cloud_mean result =
-      Cloud_mean_descent(departures, std::move(unit_weights), options)(fitted.project(inner(start)),
-                                                                      end);
+  Cloud_mean result = Cloud_mean_descent(departures, std::move(unit_weights),
+                                         options)(fitted.project(inner(start)), end);
   const Tangent_location location = fitted.location(end);
   result.location = {cloud.caller_vertex[location.vertex],
                      {scale * location.offset[0], scale * location.offset[1]}};

@@ -463,6 +463,9 @@ void barycenters(const Mesh& mesh)
   print("vertex", std::uint32_t(where));
   print("value", value);
   print_map("objective", mesh, boost::make_assoc_property_map(objective));
+  const auto mean = GP::karcher_mean(mesh, points, params::weights(weights));
+  print("mean", mean.point.x());
+  print("mean value", mean.value);
 }
 
 void volumes(Mesh& mesh)

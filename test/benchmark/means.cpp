@@ -125,8 +125,7 @@ void add_mesh(Table& table, const std::string& name, const Mesh& mesh, double ra
   }
   double barycenter_time = 0.;
   if(number <= 100)
-    barycenter_time =
-        cpu_seconds([&] { GP::geodesic_barycenter<GP::Exact>(domain, locations); });
+    barycenter_time = cpu_seconds([&] { GP::geodesic_barycenter<GP::Exact>(domain, locations); });
   table.add({name, std::to_string(mesh.number_of_vertices()), std::to_string(number),
              format_fixed(radius * farthest, 2), format_fixed(time, 2),
              std::to_string(mean.number_of_iterations), mean.is_converged ? "yes" : "no",

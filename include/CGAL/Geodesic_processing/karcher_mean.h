@@ -81,8 +81,8 @@ Options mean_options(const NamedParameters& np)
   result.tolerance = parameter(np, internal_np::tolerance, result.tolerance);
   if(!(result.tolerance >= 0.))
     throw Invalid_argument_error("The tolerance is negative or not a number.");
-  result.maximum_number_of_iterations = parameter(np, internal_np::maximum_number_of_iterations,
-                                                  result.maximum_number_of_iterations);
+  result.maximum_number_of_iterations =
+      parameter(np, internal_np::maximum_number_of_iterations, result.maximum_number_of_iterations);
   result.callback = read_throwing_callback(np);
   return result;
 }
@@ -98,12 +98,8 @@ Karcher_mean<typename Domain::Surface> mean_on_mesh(const Domain& domain, const 
   const Mean_location mean =
       karcher_mean(domain.triangles(), used.locations, used.weights, options);
   const double scale = domain.triangles()->scale;
-  return {domain.outer(mean.location),
-          domain.point(mean.location),
-          scale * scale * mean.value,
-          scale * mean.gradient_norm,
-          mean.is_converged,
-          mean.number_of_iterations};
+  return {domain.outer(mean.location), domain.point(mean.location), scale * scale * mean.value,
+          scale * mean.gradient_norm,  mean.is_converged,           mean.number_of_iterations};
 }
 
 template <typename Domain, typename Locations, typename NamedParameters>
@@ -119,9 +115,8 @@ Karcher_mean<typename Domain::Surface> mean_on_cloud(const Domain& domain, const
     if constexpr(has_parameter<NamedParameters, internal_np::initial_location_t>)
       return traced_location(domain, parameter(np, internal_np::initial_location, 0));
     else
-      return traced_location(
-          domain, domain.outer(coarse_mean(domain.triangles(), used.locations, used.weights,
-                                           options.callback)));
+      return traced_location(domain, domain.outer(coarse_mean(domain.triangles(), used.locations,
+                                                              used.weights, options.callback)));
   };
   const Tangent_location initial_location = start();
   std::vector<Tangent_location> locations;
@@ -131,9 +126,8 @@ Karcher_mean<typename Domain::Surface> mean_on_cloud(const Domain& domain, const
   Surfel_input surfels = domain.surfel_input();
   Cloud_path_options path_options;
   path_options.cloud.number_of_threads = options.number_of_threads;
-  const Cloud_path_finder finder(
-      std::make_shared<const Fitted_cloud>(std::move(surfels.points), std::move(surfels.normals),
-                                           surfels.radii, path_options));
+  const Cloud_path_finder finder(std::make_shared<const Fitted_cloud>(
+      std::move(surfels.points), std::move(surfels.normals), surfels.radii, path_options));
   const Cloud_mean mean =
       karcher_mean_on_cloud(finder, locations, used.weights, initial_location, options);
   return {outer_location(domain, mean.location),

@@ -58,12 +58,9 @@ TEST(Departure_finder, agrees_with_single_searches)
 {
   std::mt19937 random(1);
   const std::vector<std::pair<std::string, Triangulation>> surfaces = {
-      {"square", square(12, 0.24)},
-      {"rough sphere", jittered(icosphere(3), 0.05)},
-      {"saddle", cone(12, 4, 9.)},
-      {"torus", torus(40, 20)},
-      {"double torus", double_torus(2)},
-      {"annulus", annulus(24, 5, 1., 2.)}};
+      {"square", square(12, 0.24)},      {"rough sphere", jittered(icosphere(3), 0.05)},
+      {"saddle", cone(12, 4, 9.)},       {"torus", torus(40, 20)},
+      {"double torus", double_torus(2)}, {"annulus", annulus(24, 5, 1., 2.)}};
   for(const auto& [name, triangulation] : surfaces)
   {
     SCOPED_TRACE(name);
@@ -81,9 +78,9 @@ TEST(Departure_finder, agrees_with_single_searches)
       {
         const Departure expected = windows.departure(to[i]);
         EXPECT_NEAR(found[i].length, expected.length, round_off);
-        EXPECT_LT(angle_between_directions(surface.t(), from, found[i].polar_angle,
-                                           expected.polar_angle),
-                  expected.length > 0. ? round_off : infinity);
+        EXPECT_LT(
+            angle_between_directions(surface.t(), from, found[i].polar_angle, expected.polar_angle),
+            expected.length > 0. ? round_off : infinity);
       }
     }
   }
@@ -104,8 +101,7 @@ TEST(Departure_finder, matches_plane)
     const Point r = point_at(t, to[i]);
     EXPECT_NEAR(surface.scale() * found[i].length, distance(p, r), round_off);
     const double angle = std::atan2(r[1] - p[1], r[0] - p[0]);
-    EXPECT_NEAR(std::remainder(angle - first_angle -
-                                   (found[i].polar_angle - found[0].polar_angle),
+    EXPECT_NEAR(std::remainder(angle - first_angle - (found[i].polar_angle - found[0].polar_angle),
                                2. * pi),
                 0., round_off);
   }

@@ -93,8 +93,8 @@ TEST(Cloud_departure_finder, follows_paths_along_the_boundary)
   ASSERT_EQ(surfels.size(), 2u);
   const Cloud_path_finder finder = finder_of(cloud);
   const auto locations = locations_of(finder, surfels);
-  const auto found = Cloud_departure_finder(finder, locations, 1)(
-      finder.fitted_cloud()->project(locations[0]));
+  const auto found =
+      Cloud_departure_finder(finder, locations, 1)(finder.fitted_cloud()->project(locations[0]));
   ASSERT_TRUE(found[1].is_connected);
   // The straight distance is 0.99, the path around the corner 1.4. It may leave the surfels by 1.5
   // radii, 0.05.
@@ -109,8 +109,8 @@ TEST(Cloud_departure_finder, reports_unconnected_locations)
     cloud.add(cloud.points[i] + Vec3{5., 0., 0.}, cloud.normals[i]);
   const Cloud_path_finder finder = finder_of(cloud);
   const auto locations = locations_of(finder, {0, Index(n)});
-  const auto found = Cloud_departure_finder(finder, locations, 1)(
-      finder.fitted_cloud()->project(locations[0]));
+  const auto found =
+      Cloud_departure_finder(finder, locations, 1)(finder.fitted_cloud()->project(locations[0]));
   EXPECT_TRUE(found[0].is_connected);
   EXPECT_FALSE(found[1].is_connected);
 }

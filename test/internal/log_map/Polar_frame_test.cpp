@@ -33,10 +33,10 @@ TEST(Polar_frame, inverts_departures)
     for(int i = 0; i < 30; ++i)
     {
       const Index triangle = Index(random() % t.number_of_triangles());
-      const Surface_location from =
-          i % 3 == 0   ? canonical(t, random_location(t, random))
-          : i % 3 == 1 ? vertex_location(t, Index(random() % surface.size()))
-                       : canonical(t, {triangle, none, {0., 0.6, 0.4}});
+      const Surface_location from = i % 3 == 0 ? canonical(t, random_location(t, random))
+                                    : i % 3 == 1
+                                        ? vertex_location(t, Index(random() % surface.size()))
+                                        : canonical(t, {triangle, none, {0., 0.6, 0.4}});
       // Locations in the triangles at `from`, which no other vertex hides.
       const std::vector<Index> triangles = triangles_at(t, from);
       std::vector<Surface_location> to;
@@ -46,8 +46,7 @@ TEST(Polar_frame, inverts_departures)
       const auto departures = Departure_finder(surface.triangles(), to)(from);
       for(std::size_t k = 0; k < to.size(); ++k)
       {
-        const Straightest_path path =
-            frame.path(departures[k].polar_angle, departures[k].length);
+        const Straightest_path path = frame.path(departures[k].polar_angle, departures[k].length);
         EXPECT_LT(distance(point_at(t, path.locations.back()), point_at(t, to[k])), round_off);
       }
     }

@@ -23,11 +23,9 @@ TEST(Coarse_mean, is_the_best_vertex_in_the_plane)
   const Array_surface surface(square(12));
   const std::vector<Surface_location> corners = {surface.at(0), surface.at(12), surface.at(156),
                                                  surface.at(168)};
-  const Surface_location center =
-      coarse_mean(surface.triangles(), corners, {1., 1., 1., 1.});
+  const Surface_location center = coarse_mean(surface.triangles(), corners, {1., 1., 1., 1.});
   EXPECT_LT(distance(point_at(surface.t(), center), surface.point(84)), 1e-12); // round-off
-  const Surface_location pulled =
-      coarse_mean(surface.triangles(), corners, {3., 1., 1., 1.});
+  const Surface_location pulled = coarse_mean(surface.triangles(), corners, {3., 1., 1., 1.});
   EXPECT_LT(distance(point_at(surface.t(), pulled), surface.point(4 + 13 * 4)), 1e-12);
 }
 
@@ -49,8 +47,7 @@ TEST(Coarse_mean, approximates_the_mean_of_many_locations)
       sum[k] += p[k];
   }
   const std::vector<double> weights(locations.size(), 1.);
-  const Point found =
-      point_at(surface.t(), coarse_mean(surface.triangles(), locations, weights));
+  const Point found = point_at(surface.t(), coarse_mean(surface.triangles(), locations, weights));
   // The cap has a radius of 0.64; eight balls of half of this radius cover it.
   EXPECT_LT(distance(unit(found), unit(sum)), 0.32);
 }

@@ -41,8 +41,9 @@ TEST(Cone_descent, finds_minimum_over_all_directions)
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0., 1.);
   const std::vector<std::vector<Direction_fan>> cases = {
-      {{0., 1.5 * pi, true}},  {{0., 0.7 * pi, true}},  {{0., 2.9 * pi, true}},
-      {{0., 2. * pi, true}},   {{0., 0.5 * pi, false}}, {{0., 1.5 * pi, false}},
+      {{0., 1.5 * pi, true}},  {{0., 0.7 * pi, true}},
+      {{0., 2.9 * pi, true}},  {{0., 2. * pi, true}},
+      {{0., 0.5 * pi, false}}, {{0., 1.5 * pi, false}},
       {{0., 3.2 * pi, false}}, {{0., pi, true}, {pi, 2. * pi, false}}};
   for(const std::vector<Direction_fan>& fans : cases)
     for(int repetition = 0; repetition < 20; ++repetition)
@@ -56,12 +57,11 @@ TEST(Cone_descent, finds_minimum_over_all_directions)
       const int number_of_samples = 2000;
       for(std::size_t k = 0; k < fans.size(); ++k)
         for(int i = 0; i <= number_of_samples; ++i)
-          smallest = std::min(
-              smallest, derivative(fans, k, fans[k].angle * i / number_of_samples, pulls));
+          smallest =
+              std::min(smallest, derivative(fans, k, fans[k].angle * i / number_of_samples, pulls));
       EXPECT_LE(found.slope, smallest + round_off);
       // The slope is Lipschitz continuous: its derivative is at most the sum of the moments.
-      EXPECT_GE(found.slope,
-                smallest - double(pulls.size()) * 3.2 * pi / number_of_samples);
+      EXPECT_GE(found.slope, smallest - double(pulls.size()) * 3.2 * pi / number_of_samples);
       double angle = found.angle;
       if(fans.size() == 1)
         angle -= fans[0].angle * std::floor(angle / fans[0].angle);

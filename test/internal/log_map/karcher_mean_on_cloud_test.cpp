@@ -71,7 +71,8 @@ TEST(karcher_mean_on_cloud, matches_sphere)
   {
     Cloud_mean_options options;
     options.tolerance = tolerance;
-    const Cloud_mean mean = karcher_mean_on_cloud(finder, locations, weights, locations[0], options);
+    const Cloud_mean mean =
+        karcher_mean_on_cloud(finder, locations, weights, locations[0], options);
     EXPECT_TRUE(mean.is_converged);
     EXPECT_LE(mean.gradient_norm, 2. * tolerance); // distances are at most 2
     // The smallest eigenvalue of the Hessian is at least cos 0.9, about 0.6.
@@ -92,8 +93,7 @@ TEST(karcher_mean_on_cloud, stays_on_the_surface)
   const Cloud cloud = square_cloud(21);
   const Cloud_path_finder finder = finder_of(cloud);
   const std::vector<Tangent_location> locations = {{0, {0., 0.}}, {20, {0., 0.}}}; // on one side
-  const Cloud_mean mean =
-      karcher_mean_on_cloud(finder, locations, {1., 1.}, {210, {0., 0.}}, {});
+  const Cloud_mean mean = karcher_mean_on_cloud(finder, locations, {1., 1.}, {210, {0., 0.}}, {});
   EXPECT_TRUE(mean.is_converged);
   EXPECT_LT(norm(mean.point - 0.5 * (cloud.points[0] + cloud.points[20])), 5e-5); // tolerance 1e-5
   EXPECT_NEAR(mean.value, 0.5, 1e-6);
@@ -107,7 +107,8 @@ TEST(karcher_mean_on_cloud, stops_and_cancels)
   const std::vector<double> weights = {1., 1., 1.};
   Cloud_mean_options options;
   options.maximum_number_of_iterations = 0;
-  const Cloud_mean start = karcher_mean_on_cloud(finder, locations, weights, {0, {0., 0.}}, options);
+  const Cloud_mean start =
+      karcher_mean_on_cloud(finder, locations, weights, {0, {0., 0.}}, options);
   EXPECT_EQ(start.number_of_iterations, 0u);
   EXPECT_FALSE(start.is_converged);
   EXPECT_LT(norm(start.point - cloud.points[0]), 1e-9);

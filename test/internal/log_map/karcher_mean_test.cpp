@@ -149,8 +149,7 @@ TEST(karcher_mean_kernel, finds_minima_at_saddle_vertices)
     EXPECT_EQ(vertex_of(surface.t(), mean.location), surface.vertex(0));
   }
   // The derivative towards the first location is - 5 + 1 + 1, times its distance.
-  const Mean_location moved =
-      karcher_mean(surface.triangles(), locations, {5., 1., 1.}, options);
+  const Mean_location moved = karcher_mean(surface.triangles(), locations, {5., 1., 1.}, options);
   EXPECT_TRUE(moved.is_converged);
   EXPECT_EQ(vertex_of(surface.t(), moved.location), none);
   // At the distance r from the center, on the line to the first location. The angles to the others

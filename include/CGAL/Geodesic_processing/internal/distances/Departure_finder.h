@@ -57,8 +57,7 @@ private:
   Polar_departure departure_of_vertex(Index vertex) const;
   Polar_departure departure_of_target(const Source_piece& piece, const Meeting& meeting) const;
   Polar_departure departure_of_line(const Source_piece& piece, const Meeting& meeting) const;
-  Polar_departure departure_of_path(const std::vector<Surface_location>& path,
-                                    double length) const;
+  Polar_departure departure_of_path(const std::vector<Surface_location>& path, double length) const;
 
   Window_state m_state;
   std::vector<Surface_location> m_to;

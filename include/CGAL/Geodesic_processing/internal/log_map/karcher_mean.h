@@ -26,10 +26,10 @@ struct Mean_options
 
 struct Mean_location
 {
-  Surface_location location;   // canonical
-  double value = 0.;           // the weighted sum of squared distances
-  double gradient_norm = 0.;   // of sum w_i d_i^2 / 2 divided by sum w_i
-  bool is_converged = false;   // whether the gradient norm is small enough
+  Surface_location location; // canonical
+  double value = 0.;         // the weighted sum of squared distances
+  double gradient_norm = 0.; // of sum w_i d_i^2 / 2 divided by sum w_i
+  bool is_converged = false; // whether the gradient norm is small enough
   std::size_t number_of_iterations = 0;
 };
 
