@@ -13,7 +13,10 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-constexpr std::size_t max_centers = 8;
+// From the results for 40 random locations on 8 models, all means are at least as good as the best
+// vertex. With 8 centers, three of 24 means were worse, by up to 0.7 %.
+constexpr std::size_t max_centers = 16;
+constexpr std::size_t max_candidates = 8;
 
 // The distances from a selected location to the vertices that its front reached.
 struct Center_distances
@@ -24,14 +27,29 @@ struct Center_distances
   double weight = 0.;            // of the locations that it replaces
 };
 
+// Where the sum of squared distances is small.
+struct Candidate
+{
+  double sum;
+  Surface_location location;
+};
+
+double squared(double x) { return x * x; }
+
+void run(Front& front, const Surface_location& from, const std::vector<Surface_location>& targets,
+         const std::function<bool(double)>& callback)
+{
+  Front_limits limits;
+  limits.targets = targets;
+  limits.callback = callback;
+  if(!front.run({{{from}, 0., 0}}, limits))
+    throw Cancelled();
+}
+
 Center_distances distances_from(Front& front, const std::vector<Surface_location>& locations,
                                 std::size_t center, const std::function<bool(double)>& callback)
 {
-  Front_limits limits;
-  limits.targets = locations;
-  limits.callback = callback;
-  if(!front.run({{{locations[center]}, 0., 0}}, limits))
-    throw Cancelled();
+  run(front, locations[center], locations, callback);
   Center_distances result = {center, {}, {}, 0.};
   for(const Index vertex : front.reached())
     result.vertices.emplace_back(vertex, front.distance(vertex));
@@ -40,15 +58,43 @@ Center_distances distances_from(Front& front, const std::vector<Surface_location
   return result;
 }
 
+// Returns the vertices whose sum of squared distances to the centers is not larger than those of
+// their neighbors. Vertices that are not reached from all centers are not considered.
+std::vector<Candidate> local_minima(const Surface_arrays& t,
+                                    const std::vector<Center_distances>& centers)
+{
+  std::vector<double> sum(t.number_of_vertices(), 0.);
+  std::vector<std::size_t> number_of_terms(t.number_of_vertices(), 0);
+  for(const Center_distances& center : centers)
+    for(const auto& [vertex, distance] : center.vertices)
+    {
+      sum[vertex] += center.weight * squared(distance);
+      ++number_of_terms[vertex];
+    }
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
+    if(number_of_terms[vertex] < centers.size())
+      sum[vertex] = infinity;
+  std::vector<Candidate> result;
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
+  {
+    bool is_minimum = sum[vertex] < infinity;
+    for(Index i = t.ring_begin[vertex]; is_minimum && i < t.ring_begin[vertex + 1]; ++i)
+      is_minimum = sum[vertex] <= sum[t.corner[next_halfedge(t.ring[i])]] &&
+                   sum[vertex] <= sum[t.corner[previous_halfedge(t.ring[i])]];
+    if(is_minimum)
+      result.push_back({sum[vertex], {none, vertex, {}}});
+  }
+  return result;
+}
+
 } // namespace
 
-Surface_location coarse_mean(std::shared_ptr<const Surface_arrays> triangles,
+Surface_location coarse_mean(const std::shared_ptr<const Surface_arrays>& triangles,
                              const std::vector<Surface_location>& locations,
                              const std::vector<double>& weights,
                              const std::function<bool(double)>& callback)
 {
-  const std::size_t number_of_vertices = triangles->number_of_vertices();
-  Front front(std::move(triangles), Front_kind::euclidean);
+  Front front(triangles, Front_kind::euclidean);
   std::vector<Center_distances> centers;
   std::vector<double> nearest_distance(locations.size(), infinity);
   std::vector<std::size_t> nearest(locations.size(), 0);
@@ -71,34 +117,31 @@ Surface_location coarse_mean(std::shared_ptr<const Surface_arrays> triangles,
   for(std::size_t i = 0; i < locations.size(); ++i)
     centers[nearest[i]].weight += weights[i];
 
-  std::vector<double> sum(number_of_vertices, 0.);
-  std::vector<std::size_t> number_of_terms(number_of_vertices, 0);
-  for(const Center_distances& center : centers)
-    for(const auto& [vertex, distance] : center.vertices)
-    {
-      sum[vertex] += center.weight * distance * distance;
-      ++number_of_terms[vertex];
-    }
-  Surface_location best;
-  double smallest_sum = infinity;
-  for(Index vertex = 0; vertex < number_of_vertices; ++vertex)
-    if(number_of_terms[vertex] == centers.size() && sum[vertex] < smallest_sum)
-    {
-      smallest_sum = sum[vertex];
-      best = {none, vertex, {}};
-    }
+  std::vector<Candidate> candidates = local_minima(*triangles, centers);
   for(const Center_distances& center : centers)
   {
-    double sum_at_center = 0.;
+    double sum = 0.;
     for(const Center_distances& other : centers)
+      sum += other.weight * squared(other.locations[center.location]);
+    candidates.push_back({sum, locations[center.location]});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.sum < b.sum; });
+  candidates.resize(std::min(candidates.size(), max_candidates));
+  Surface_location best = candidates.front().location;
+  if(candidates.size() == 1 || centers.size() == locations.size())
+    return best;
+  double smallest_sum = infinity;
+  for(const Candidate& candidate : candidates)
+  {
+    run(front, candidate.location, locations, callback);
+    double sum = 0.;
+    for(std::size_t i = 0; i < locations.size(); ++i)
+      sum += weights[i] * squared(front.distance(locations[i]));
+    if(sum < smallest_sum)
     {
-      const double distance = other.locations[center.location];
-      sum_at_center += other.weight * distance * distance;
-    }
-    if(sum_at_center < smallest_sum)
-    {
-      smallest_sum = sum_at_center;
-      best = locations[center.location];
+      smallest_sum = sum;
+      best = candidate.location;
     }
   }
   return best;

@@ -180,8 +180,9 @@ Karcher_mean<typename Domain::Surface> mean_on_cloud(const Domain& domain, const
 ///   \cgalParamNBegin{initial_location}
 ///     \cgalParamDescription{the location at which the iteration starts}
 ///     \cgalParamType{a vertex, a surfel or a location}
-///     \cgalParamDefault{the best one of all vertices and of at most eight of the locations. The
-///       distances to the other locations are replaced by those to the nearest of the eight}
+///     \cgalParamDefault{the best one of at most eight candidates. They are the local minima of the
+///       sum among all vertices and at most 16 of the locations, if the other locations are replaced
+///       by the nearest of the 16}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
 ///     \cgalParamDescription{the iteration ends if `gradient_norm` is at most this fraction of the

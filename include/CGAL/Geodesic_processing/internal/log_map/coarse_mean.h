@@ -15,17 +15,18 @@ namespace CGAL::Geodesic_processing::internal {
 // Returns a vertex or a location with a small weighted sum of squared distances to the locations,
 // on a mesh or a cloud.
 //
-// At most eight locations are selected by farthest point sampling, and the others are replaced by
-// the nearest of them. The result has the smallest sum of all vertices and of the selected
-// locations. Distances are those of a Euclidean front.
+// At most 16 locations are selected by farthest point sampling. For the eight best local minima
+// of the sum, the others are replaced by the nearest of them. The candidates are the vertices and
+// the selected locations. The result is the candidate with the smallest sum over all locations.
+// Distances are those of a Euclidean front.
 //
 // weights   #locations: positive
 // callback  receives the fraction done; if it returns false, Cancelled is thrown
 //
-// Throws Invalid_argument_error if not all locations are in one component. Takes at most eight
+// Throws Invalid_argument_error if not all locations are in one component. Takes at most 24
 // fronts, each limited to the distance of the farthest location.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Surface_location coarse_mean(std::shared_ptr<const Surface_arrays> triangles,
+Surface_location coarse_mean(const std::shared_ptr<const Surface_arrays>& triangles,
                              const std::vector<Surface_location>& locations,
                              const std::vector<double>& weights,
                              const std::function<bool(double)>& callback = {});

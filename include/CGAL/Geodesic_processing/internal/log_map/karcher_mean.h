@@ -51,9 +51,10 @@ struct Mean_location
 // locations  not empty
 // weights    #locations: positive
 //
-// Throws Invalid_argument_error if the locations and the initial location are not in one component. Throws Cancelled if the callback returns false, and
-// Unsupported_surface_error as Window_propagation::run(). Takes one window propagation for each
-// evaluation, of which there is usually one per iteration.
+// Throws Invalid_argument_error if the locations and the initial location are not in one component.
+// Throws Cancelled if the callback returns false, and Unsupported_surface_error as
+// Window_propagation::run(). Takes one window propagation for each evaluation, of which there is
+// usually one per iteration.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mean_location karcher_mean(const std::shared_ptr<const Surface_arrays>& triangles,
                            const std::vector<Surface_location>& locations,
