@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
+#include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -609,6 +610,73 @@ TEST(Geodesic_distances, relative_tolerance_gives_bounds_at_all_scales)
     expect_bounds_contain_distances<OpenMesh::TriMesh_ArrayKernelT<>>(scale);
 #endif
   }
+}
+
+// All functions with distances of Heat read the time step, and compute the distances of a solver.
+TEST(Geodesic_distances, depend_on_heat_time_step)
+{
+  Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
+  const auto np = GP::parameters::heat_time_step(30.);
+  auto map = vertex_map(mesh), default_map = mesh.add_property_map<Vertex, double>("v:d").first,
+       one_map = mesh.add_property_map<Vertex, double>("v:one").first;
+  GP::geodesic_distances<GP::Heat>(mesh, Vertex(0), map, np);
+  GP::geodesic_distances<GP::Heat>(mesh, Vertex(0), default_map);
+  GP::geodesic_distances<GP::Heat>(mesh, Vertex(0), one_map, GP::parameters::heat_time_step(1.));
+  EXPECT_EQ(values(mesh, one_map), values(mesh, default_map));
+  GP::Geodesic_distance_solver<Mesh, GP::Heat> solver(mesh, np);
+  solver.compute(Vertex(0));
+  double largest_change = 0.;
+  for(const Vertex v : mesh.vertices())
+  {
+    EXPECT_EQ(map[v], solver.distance(v));
+    largest_change = std::max(largest_change, std::abs(map[v] - default_map[v]));
+  }
+  EXPECT_GT(largest_change, 0.01); // the mean edge length is 0.15
+  const std::vector<Vertex> targets = {Vertex(5), Vertex(100)};
+  const auto matrix = GP::geodesic_distance_matrix<GP::Heat>(
+      mesh, Vertex(0), GP::parameters::targets(targets).heat_time_step(30.));
+  EXPECT_EQ(matrix(0, 0), map[targets[0]]);
+  EXPECT_EQ(matrix(0, 1), map[targets[1]]);
+  EXPECT_EQ(GP::geodesic_path<GP::Heat>(mesh, Vertex(100), Vertex(0), np).front_distance,
+            map[Vertex(100)]);
+}
+
+TEST(Geodesic_distances, on_clouds_depend_on_heat_time_step)
+{
+  const Surfels surfels = flat_surfels(2000);
+  const auto compute = [&](const auto& np)
+  {
+    std::vector<double> result(surfels.size());
+    GP::geodesic_distances<GP::Heat>(
+        surfels, std::size_t(0), CGAL::make_property_map(result),
+        np.point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
+    return result;
+  };
+  const std::vector<double> small = compute(GP::parameters::heat_time_step(1.)),
+                            large = compute(GP::parameters::heat_time_step(1000.));
+  double small_error = 0., large_error = 0.;
+  for(std::size_t i = 0; i < surfels.size(); ++i)
+  {
+    const double exact = std::sqrt(CGAL::squared_distance(surfels[0].first, surfels[i].first));
+    small_error += std::abs(small[i] - exact);
+    large_error += std::abs(large[i] - exact);
+  }
+  // The longer heat flows, the more its directions depend on the boundary.
+  EXPECT_LT(small_error, 0.5 * large_error);
+}
+
+TEST(Geodesic_distances, throw_on_invalid_heat_time_step)
+{
+  Mesh mesh = mesh_of(icosphere(1));
+  auto map = vertex_map(mesh);
+  for(const double bad : {0., -1., std::nan(""), GP::internal::infinity})
+    EXPECT_THROW(
+        GP::geodesic_distances<GP::Heat>(mesh, Vertex(0), map, GP::parameters::heat_time_step(bad)),
+        GP::Invalid_argument_error);
+  const auto np = GP::parameters::heat_time_step(2.);
+  EXPECT_THROW(GP::geodesic_distances(mesh, Vertex(0), map, np), GP::Unsupported_surface_error);
+  EXPECT_THROW(GP::geodesic_distance_matrix<GP::Dijkstra>(mesh, Vertex(0), np),
+               GP::Unsupported_surface_error);
 }
 
 } // namespace geodesic_distances_test

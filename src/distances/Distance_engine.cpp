@@ -13,8 +13,11 @@ namespace {
 
 using Kernel = std::variant<Front, Window_propagation, Heat_solver>;
 
-Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays> triangles)
+Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays> triangles,
+                   const std::optional<double>& heat_time_step = {})
 {
+  if(heat_time_step && method != Distance_method::heat)
+    throw Unsupported_surface_error("A time step requires the method Heat.");
   if(method == Distance_method::automatic)
     method = triangles->is_cloud() ? Distance_method::euclidean_front : Distance_method::exact;
   switch(method)
@@ -26,7 +29,8 @@ Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays>
   case Distance_method::exact:
     return Kernel(std::in_place_type<Window_propagation>, std::move(triangles));
   case Distance_method::heat:
-    return Kernel(std::in_place_type<Heat_solver>, std::move(triangles));
+    return Kernel(std::in_place_type<Heat_solver>, std::move(triangles),
+                  heat_time_step.value_or(1.));
   default:
     return Front(std::move(triangles), Front_kind::euclidean, Bisected_edges::long_edges);
   }
@@ -35,9 +39,10 @@ Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays>
 } // namespace
 
 Distance_engine::Distance_engine(Distance_method method,
-                                 std::shared_ptr<const Surface_arrays> triangles)
+                                 std::shared_ptr<const Surface_arrays> triangles,
+                                 std::optional<double> heat_time_step)
     : m_method(method), m_triangles(std::move(triangles)),
-      m_kernel(make_kernel(method, m_triangles))
+      m_kernel(make_kernel(method, m_triangles, heat_time_step))
 {}
 
 void Distance_engine::select(const Front_limits& limits)

@@ -43,6 +43,8 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
                    "dijkstra, heat, spectral, emd and biharmonic");
   expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
   expect_failure("distance square.ply --source 0 --relative-tolerance -1", 1, "negative");
+  expect_failure("distance square.ply --source 0 --method heat --heat-time-step 0", 1, "positive");
+  expect_failure("distance square.ply --source 0 --heat-time-step 2", 1, "only the method heat");
   expect_failure("distance square.ply --source 0 --relative-tolerance nan", 1, "negative");
   expect_failure("distance square.ply --source 0 --relative-tolerance 1 --method heat", 1,
                  "only the method exact");

@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -69,22 +70,39 @@ public:
   /// Precomputes the domain of the surface in the time of `make_domain()`, and uses it.
   ///
   /// \param surface the surface
-  /// \param np the named parameters of `make_domain()`
+  /// \param np the named parameters of `make_domain()`, and
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{heat_time_step}
+  ///     \cgalParamDescription{the time step of `Heat` in squared mean edge lengths, positive. Larger
+  ///       steps result in smoother and less accurate distances. Its square root is at least w/600
+  ///       and at most 10 w, where the width w is an upper bound of the diameter of all components}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{1}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// \throws as `make_domain()`; `Heat` also throws `Unsupported_surface_error` if the surface is
   ///         empty
+  /// \throws Invalid_argument_error if the time step is not positive and finite
+  /// \throws Unsupported_surface_error if a time step is given and the method is not `Heat`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_distance_solver(const Surface& surface,
                                     const NamedParameters& np = NamedParameters())
-      : Geodesic_distance_solver(Domain(surface, np))
+      : Geodesic_distance_solver(Domain(surface, np), np)
   {}
   /// Uses an existing `domain`, which is shared. The fronts on a mesh copy its one-rings in O(n)
-  /// time. `Heat` factorizes two matrices, each in about O(n<SUP>1.5</SUP>) time.
-  explicit Geodesic_distance_solver(const Domain& domain)
-      : Geodesic_distance_solver(domain, internal::distance_method<Method>())
+  /// time. `Heat` factorizes two matrices, each in about O(n<SUP>1.5</SUP>) time. `np` is as for a
+  /// surface.
+  /// \throws as for a surface, except for the exceptions of `make_domain()`
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Geodesic_distance_solver(const Domain& domain,
+                                    const NamedParameters& np = NamedParameters())
+      : Geodesic_distance_solver(domain, internal::distance_method<Method>(),
+                                 internal::read_heat_time_step(np))
   {}
 #ifndef DOXYGEN_RUNNING
-  Geodesic_distance_solver(const Domain& domain, internal::Distance_method method)
-      : m_domain(domain), m_engine(method, domain.triangles())
+  Geodesic_distance_solver(const Domain& domain, internal::Distance_method method,
+                           std::optional<double> heat_time_step = {})
+      : m_domain(domain), m_engine(method, domain.triangles(), heat_time_step)
   {}
 #endif
 

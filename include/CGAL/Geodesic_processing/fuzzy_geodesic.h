@@ -131,7 +131,7 @@ void fuzzy_geodesic_by_distances(const Surface& surface, const P& p, const Q& q,
 {
   const auto domain = make_domain(surface, np);
   using Solver = Geodesic_distance_solver<typename decltype(domain)::Surface, Method>;
-  Solver from_p(domain), from_q(domain);
+  Solver from_p(domain, np), from_q = from_p;
   from_p.compute(p, np);
   from_q.compute(q, np);
   const double distance = from_p.distance(q), width = internal::fuzzy_width(distance, np);

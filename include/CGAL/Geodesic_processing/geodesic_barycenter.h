@@ -39,8 +39,8 @@ struct Geodesic_barycenter
 /// \tparam Locations a range of vertices, surfels, locations or `Source`s
 /// \param surface the surface on which distances are measured
 /// \param locations a nonempty range of vertices (or surfels), locations or `Source`s
-/// \param np parameters of `make_domain()`, `speed_map` and `face_speed_map` as for
-///        `Geodesic_distance_solver::compute()`, and
+/// \param np parameters of `Geodesic_distance_solver`, `speed_map` and `face_speed_map` as for its
+///        `compute()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{weights}
@@ -70,7 +70,7 @@ geodesic_barycenter(const Surface& surface, const Locations& locations,
 {
   const auto domain = make_domain(surface, np);
   using Domain = std::decay_t<decltype(domain)>;
-  Geodesic_distance_solver<typename Domain::Surface, Method> solver(domain);
+  Geodesic_distance_solver<typename Domain::Surface, Method> solver(domain, np);
   const std::size_t number_of_locations =
       std::size_t(std::distance(std::begin(locations), std::end(locations)));
   if(number_of_locations == 0)

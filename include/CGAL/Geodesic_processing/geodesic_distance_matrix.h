@@ -36,7 +36,7 @@ Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
   // If there are as many targets as vertices, stopping at the targets does not save time.
   if(to.size() >= domain.number_of_vertices())
     asked.targets.clear();
-  Distance_engine engine(method, domain.triangles());
+  Distance_engine engine(method, domain.triangles(), read_heat_time_step(np));
   engine.select(asked);
   return distance_matrix(engine.row_engine(), domain.triangles()->scale, from, to, asked,
                          number_of_threads<Concurrency_tag>(np));
@@ -60,7 +60,7 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
     column_of[location.vertex] = Index(from.size());
     from.push_back({{location}, 0., Index(from.size())});
   }
-  Distance_engine engine(method, domain.triangles());
+  Distance_engine engine(method, domain.triangles(), read_heat_time_step(np));
   engine.select(asked);
   return sparse_distance_matrix(engine.row_engine(), domain.triangles()->scale, from, column_of,
                                 asked, number_of_threads<Concurrency_tag>(np));
@@ -106,13 +106,13 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// and `speed_map`, `face_speed_map` and `relative_tolerance` as for
-/// `Geodesic_distance_solver::compute()`. With a relative tolerance, an entry is the mean of the
-/// lower and the upper bound.
+/// `Geodesic_distance_solver::compute()`, and `heat_time_step` as for `Geodesic_distance_solver`.
+/// With a relative tolerance, an entry is the mean of the lower and the upper bound.
 ///
 /// \returns a matrix with one row per source and one column per target; an entry is +infinity if
 ///          the source does not reach the target. With approximate methods or a relative
 ///          tolerance, it is symmetric only up to their errors.
-/// \throws as `Geodesic_distance_solver::compute()`
+/// \throws as `Geodesic_distance_solver` and its `compute()`
 ///
 /// Takes one distance computation for each source.
 template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag, typename Surface,
@@ -137,8 +137,8 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 /// \param vertices a range of distinct vertices or surfels; row and column `i` belong to the `i`-th
 ///        one
 /// \param maximum_distance the bound of the distances, not negative
-/// \param np the named parameters of `make_domain()`, and `number_of_threads` and `callback` as for
-///        `geodesic_distance_matrix()`
+/// \param np the named parameters of `make_domain()`, and `number_of_threads`, `heat_time_step` and
+///        `callback` as for `geodesic_distance_matrix()`
 /// \returns a compressed matrix with sorted rows. It has an entry for each pair within the bound,
 ///          even if the distance is 0.
 /// \throws Invalid_argument_error if the bound is negative or not a number, if a vertex or surfel

@@ -23,7 +23,7 @@ namespace CGAL::Geodesic_processing {
 /// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
 /// \param distance_map a writable property map that receives the distance of each vertex or surfel,
 ///        in the unit of the coordinates. The distance is +infinity if no source reaches it
-/// \param np the named parameters of `make_domain()` and `Geodesic_distance_solver::compute()`, and
+/// \param np the named parameters of `Geodesic_distance_solver` and its `compute()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{source_label_map}
@@ -43,7 +43,7 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDefault{nothing is written}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws as `make_domain()` and `Geodesic_distance_solver::compute()`
+/// \throws as `Geodesic_distance_solver` and its `compute()`
 ///
 /// O(n log n) time after `make_domain()`. `Exact` takes O(n<SUP>1.5</SUP>) time in practice; the
 /// time of `Heat` is that of its factorization.
@@ -53,7 +53,7 @@ void geodesic_distances(const Surface& surface, const Sources& sources, Distance
                         const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
-  Geodesic_distance_solver<typename decltype(domain)::Surface, Method> solver(domain);
+  Geodesic_distance_solver<typename decltype(domain)::Surface, Method> solver(domain, np);
   solver.compute(sources, np);
   solver.write_distances(distance_map);
   if constexpr(internal::has_parameter<NamedParameters, internal_np::source_label_map_t>)

@@ -66,7 +66,7 @@ Geodesic_path<Surface_of<Surface>> geodesic_path(const Surface& surface, const Q
                                                  const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
-  Geodesic_distance_solver<Surface_of<Surface>, Method> solver(domain);
+  Geodesic_distance_solver<Surface_of<Surface>, Method> solver(domain, np);
   solver.compute(to, internal::chain(np).targets(from));
   Geodesic_path<Surface_of<Surface>> result;
   static_cast<Surface_path<Surface_of<Surface>>&>(result) = solver.path(from);

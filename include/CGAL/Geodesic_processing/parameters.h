@@ -18,6 +18,7 @@ namespace CGAL::Geodesic_processing {
   NAME(speed_map)                                                                                  \
   NAME(face_speed_map)                                                                             \
   NAME(relative_tolerance)                                                                         \
+  NAME(heat_time_step)                                                                             \
   NAME(source_label_map)                                                                           \
   NAME(predecessor_map)                                                                            \
   NAME(merge_tolerance)                                                                            \

@@ -25,6 +25,7 @@ struct Distance_options
   std::optional<std::size_t> basis_size;
   double max_distance = std::numeric_limits<double>::infinity();
   double relative_tolerance = 0.;
+  std::optional<double> heat_time_step; // in squared mean edge lengths
   Speed_options speed_options;
 };
 
@@ -95,7 +96,7 @@ Distance_result compute_distances(const Surface_type& surface, const Distance_op
   }
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   result.values.resize(job.surface().file.points.size());
-  Distance_solver<Surface_type> solver(domain, to_method(options.method));
+  Distance_solver<Surface_type> solver(domain, to_method(options.method), options.heat_time_step);
   job.begin_stage("query");
   solver.compute(sources, GP::parameters::maximum_distance(options.max_distance)
                               .relative_tolerance(options.relative_tolerance)
@@ -129,6 +130,11 @@ void check(const Distance_options& options)
     throw Usage_error("--relative-tolerance: the tolerance must not be negative.");
   if(options.relative_tolerance > 0. && options.method != "automatic" && options.method != "exact")
     throw Usage_error("--relative-tolerance: only the method exact has a tolerance.");
+  if(options.heat_time_step && options.method != "heat")
+    throw Usage_error("--heat-time-step: only the method heat has a time step.");
+  if(options.heat_time_step &&
+     !(*options.heat_time_step > 0. && std::isfinite(*options.heat_time_step)))
+    throw Usage_error("--heat-time-step: the step must be positive and finite.");
   check(options.speed_options, options.method);
 }
 
@@ -187,6 +193,9 @@ void add_distance(CLI::App& program)
   command.add("--relative-tolerance", options->relative_tolerance, "R",
               "admit errors of exact up to this fraction of each distance, which saves time on "
               "fine meshes (default 0)");
+  command.add("--heat-time-step", options->heat_time_step, "M",
+              "time step of heat in squared mean edge lengths: larger steps smooth the distances "
+              "(default 1)");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_distance(*job, *options); });
 }

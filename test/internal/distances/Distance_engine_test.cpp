@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
+
 #include "Array_surface.h"
 
 #include <gtest/gtest.h>
@@ -48,6 +50,19 @@ TEST_F(Distance_engines, match_their_kernels)
               Front(surface.triangles(), Front_kind::euclidean, Bisected_edges::long_edges));
   expect_same(Distance_method::exact, Window_propagation(surface.triangles()));
   expect_same(Distance_method::heat, Heat_solver(surface.triangles()));
+}
+
+TEST_F(Distance_engines, pass_the_time_step_to_heat_only)
+{
+  Distance_engine engine(Distance_method::heat, surface.triangles(), 20.);
+  EXPECT_TRUE(engine.run({surface.source(3)}));
+  Heat_solver solver(surface.triangles(), 20.);
+  EXPECT_TRUE(solver.run({surface.source(3)}));
+  EXPECT_EQ(surface.distances(engine), surface.distances(solver));
+  for(const Distance_method method :
+      {Distance_method::dijkstra, Distance_method::exact, Distance_method::automatic})
+    EXPECT_THROW(Distance_engine(method, surface.triangles(), 20.),
+                 CGAL::Geodesic_processing::Unsupported_surface_error);
 }
 
 TEST_F(Distance_engines, return_false_if_cancelled)

@@ -4,7 +4,12 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
+#include <CGAL/Geodesic_processing/internal/operators/operators.h>
+
 #include "Array_surface.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +64,96 @@ TEST(Heat, is_accurate_for_several_sources)
                                                   great_circle(sphere.points[3], sphere.points[i]));
                                 }),
             0.03); // the method is smooth at the equator, the distance is not
+}
+
+// Solves both systems of Crane et al. with dense matrices. Subtracts the value at the source. The
+// surface is a Delaunay triangulation whose widths admit the time step.
+std::vector<double> dense_heat_distances(const Array_surface& surface, Index source,
+                                         double time_step)
+{
+  const Surface_arrays& t = surface.t();
+  double mean = 0.;
+  for(const double length : t.length)
+    mean += length / double(t.length.size());
+  const Operators o = operators(t);
+  Eigen::MatrixXd laplacian =
+      Eigen::MatrixXd(Laplacian(o).matrix(o)).selfadjointView<Eigen::Lower>();
+  Eigen::MatrixXd heat = time_step * mean * mean * laplacian;
+  heat.diagonal() += lumped_mass(o);
+  const Vector u = heat.ldlt().solve(Vector::Unit(heat.rows(), source));
+  Field direction = gradient(o, u);
+  for(Vec2& v : direction)
+    v = (-1. / norm(v)) * v;
+  laplacian += Eigen::MatrixXd::Ones(laplacian.rows(), laplacian.cols());
+  const Vector distance = laplacian.ldlt().solve(minus_divergence(o, direction));
+  std::vector<double> result;
+  for(Index i = 0; i < surface.size(); ++i)
+    result.push_back(surface.scale() *
+                     std::max(0., distance[surface.vertex(i)] - distance[source]));
+  return result;
+}
+
+TEST(Heat, time_step_is_in_squared_mean_edge_lengths)
+{
+  for(const double scale : {1., 1e-6, 1e6})
+  {
+    const Array_surface surface(scaled(icosphere(2), scale));
+    for(const double time_step : {0.5, 1., 10., 100., 1000.})
+    {
+      Heat_solver solver(surface.triangles(), time_step);
+      ASSERT_TRUE(solver.run({surface.source(7)}));
+      const auto expected = dense_heat_distances(surface, surface.vertex(7), time_step);
+      EXPECT_LT(largest_error(surface.distances(solver), [&](Index i) { return expected[i]; }),
+                1e-9 * scale) // round-off errors of dense matrices of 162 rows
+          << time_step;
+    }
+  }
+}
+
+// The longer heat flows, the more its directions depend on the boundary.
+TEST(Heat, error_increases_with_time_step)
+{
+  const Triangulation plane = square(40, 0.24);
+  const Array_surface surface(plane);
+  double last = 0.;
+  for(const double time_step : {1., 10., 100., 1000.})
+  {
+    Heat_solver solver(surface.triangles(), time_step);
+    ASSERT_TRUE(solver.run({surface.source(420)}));
+    const std::vector<double> found = surface.distances(solver);
+    const double error = mean_relative_error(
+        found, 0.1, [&](Index i) { return distance(plane.points[420], plane.points[i]); });
+    EXPECT_GT(error, last) << time_step;
+    last = error;
+    if(time_step == 1.)
+    {
+      EXPECT_EQ(found, heat_distances(surface, {surface.source(420)}));
+    }
+  }
+}
+
+// The step is bounded such that the gradients of the heat are neither zero nor round-off errors.
+TEST(Heat, time_step_is_bounded)
+{
+  const Array_surface surface(jittered(icosphere(3), 0.02));
+  const auto distances = [&](double time_step)
+  {
+    Heat_solver solver(surface.triangles(), time_step);
+    EXPECT_TRUE(solver.run({surface.source(100)}));
+    return surface.distances(solver);
+  };
+  for(const double sign : {1., -1.})
+  {
+    const std::vector<double> d = distances(std::pow(10., 30. * sign));
+    EXPECT_EQ(d, distances(std::pow(10., 300. * sign)));
+    // A smooth distance is between zero and the length of the equator.
+    for(Index i = 0; i < surface.size(); ++i)
+      EXPECT_TRUE(d[i] >= 0. && d[i] < 2. * pi) << d[i];
+  }
+  // The limit of large steps differs by the square of the largest ratio.
+  const std::vector<double> limit = distances(1e30);
+  const std::vector<double> large = distances(1e5);
+  EXPECT_LT(largest_error(large, [&](Index i) { return limit[i]; }), 0.01 * pi);
 }
 
 TEST(Heat, adds_offset_of_source)

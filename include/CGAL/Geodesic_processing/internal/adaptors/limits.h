@@ -76,6 +76,21 @@ Shared_slowness read_slowness(const Domain& domain, const NamedParameters& np)
     return nullptr;
 }
 
+// Reads the named parameter `heat_time_step`; empty if it is not given. Throws
+// Invalid_argument_error if it is not positive or not finite.
+template <typename NamedParameters>
+std::optional<double> read_heat_time_step(const NamedParameters& np)
+{
+  std::optional<double> result;
+  if constexpr(has_parameter<NamedParameters, internal_np::heat_time_step_t>)
+  {
+    result = parameter(np, internal_np::heat_time_step, 1.);
+    if(!(*result > 0. && *result < infinity))
+      throw Invalid_argument_error("The time step of the heat method is not positive and finite.");
+  }
+  return result;
+}
+
 // Converts the named parameters of a distance query (maximum distance, callback, targets, speeds,
 // relative tolerance) to the limits of a front, in scaled units. Throws Invalid_argument_error
 // if the maximum distance or the tolerance is negative or not a number.

@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/tags.h>
 
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -79,7 +80,11 @@ using Row_engine = std::variant<const Front*, const Window_propagation*, const H
 class CGAL_GEODESIC_PROCESSING_EXPORT Distance_engine
 {
 public:
-  Distance_engine(Distance_method method, std::shared_ptr<const Surface_arrays> triangles);
+  // heat_time_step  as time_step of Heat_solver; empty for its default
+  //
+  // Throws Unsupported_surface_error if there is a time step and the method is not heat.
+  Distance_engine(Distance_method method, std::shared_ptr<const Surface_arrays> triangles,
+                  std::optional<double> heat_time_step = {});
 
   // Selects the kernel that admits the speeds, if the method is automatic. run() calls it. Throws
   // Unsupported_surface_error if there is a relative tolerance and the kernel is not exact, or if

@@ -14,15 +14,19 @@ namespace CGAL::Geodesic_processing::internal {
 // Computes distances by the heat method (Crane, Weischedel and Wardetzky 2013), on the intrinsic
 // Delaunay triangulation of a mesh or on the weighted triangles of a cloud.
 //
-// The time step is the square of the mean edge length. It is increased if a component may be wider
-// than 600 square roots of it, because heat that underflows has no gradient. The heat of a source
-// with an offset is reduced by the decay over that distance. The distances of a connected
+// The time step is a multiple of the squared mean edge length. It is increased if a component may
+// be wider than 600 square roots of it, because heat that underflows has no gradient. It is
+// decreased to the square of ten widths, because heat that is constant up to round-off errors has
+// no gradient either. The heat of a source with an offset is reduced by the decay over that
+// distance. The distances of a connected
 // component are shifted such that their mean over the sources equals the mean offset.
 class CGAL_GEODESIC_PROCESSING_EXPORT Heat_solver
 {
 public:
   // Computes two sparse factorizations, of the heat and of the Poisson system.
-  explicit Heat_solver(std::shared_ptr<const Surface_arrays> triangles);
+  //
+  // time_step  in squared mean edge lengths; positive
+  explicit Heat_solver(std::shared_ptr<const Surface_arrays> triangles, double time_step = 1.);
 
   // Throws Unsupported_surface_error if the limits have a slowness.
   static void check_speeds(const Front_limits& limits);
