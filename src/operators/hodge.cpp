@@ -10,6 +10,34 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+namespace {
+
+// Shifts a potential on each component such that its integral is zero. If `has_boundary` is true,
+// index 0 stands for the boundary, and the potential of components with boundary is shifted to zero
+// there.
+Vector normalized(const Operators& operators, Vector potential, bool has_boundary)
+{
+  const auto [component, number_of_components] = components(operators);
+  const Vector mass = lumped_mass(operators);
+  std::vector<double> sum(number_of_components, 0.), total(number_of_components, 0.);
+  for(Eigen::Index i = 0; i < potential.size(); ++i)
+  {
+    sum[component[std::size_t(i)]] += mass[i] * potential[i];
+    total[component[std::size_t(i)]] += mass[i];
+  }
+  if(has_boundary)
+  {
+    sum[component[0]] = potential[0];
+    total[component[0]] = 1.;
+  }
+  for(Eigen::Index i = 0; i < potential.size(); ++i)
+    if(const Index c = component[std::size_t(i)]; total[c] > 0.)
+      potential[i] -= sum[c] / total[c];
+  return potential;
+}
+
+} // namespace
+
 Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Operators& operators)
 {
   if(triangles.is_cloud())
@@ -42,14 +70,44 @@ Hodge_solver::Hodge_solver(const Surface_arrays& triangles, Operators operators)
 Hodge_components Hodge_solver::decompose(const Field& field) const
 {
   Hodge_components result;
-  result.gradient =
-      gradient(m_operators, m_vertex_solver.solve(minus_divergence(m_operators, field)));
-  result.rotation = rotated_left(
-      gradient(m_edge_operators,
-               m_edge_solver.solve(minus_divergence(m_edge_operators, rotated_right(field)))));
+  result.gradient_potential =
+      normalized(m_operators, m_vertex_solver.solve(minus_divergence(m_operators, field)), false);
+  result.gradient = gradient(m_operators, result.gradient_potential);
+  const Vector edge_potential = normalized(
+      m_edge_operators,
+      m_edge_solver.solve(minus_divergence(m_edge_operators, rotated_right(field))), true);
+  result.rotation = rotated_left(gradient(m_edge_operators, edge_potential));
+  for(const Index edge : m_edge_operators.corner)
+    result.rotation_potential.push_back(edge_potential[edge]);
   result.harmonic = field;
   for(std::size_t f = 0; f < field.size(); ++f)
     result.harmonic[f] = field[f] - result.gradient[f] - result.rotation[f];
+  return result;
+}
+
+Vector vertex_rotation_potential(const Surface_arrays& triangles, const Operators& operators,
+                                 const Field& field)
+{
+  if(triangles.is_cloud())
+    throw Unsupported_surface_error("Rotations need a mesh: a cloud has no halfedges with twins.");
+  std::vector<bool> is_boundary(operators.number_of_vertices, false);
+  for(Index h = 0; h < triangles.corner.size(); ++h)
+    if(triangles.twin[h] == none)
+      is_boundary[triangles.corner[h]] = is_boundary[triangles.corner[next_halfedge(h)]] = true;
+  // Index 0 stands for all vertices of the boundary.
+  Operators merged = operators;
+  std::vector<Index> index(operators.number_of_vertices, 0);
+  merged.number_of_vertices = 1;
+  for(Index vertex = 0; vertex < index.size(); ++vertex)
+    if(!is_boundary[vertex])
+      index[vertex] = Index(merged.number_of_vertices++);
+  for(Index& corner : merged.corner)
+    corner = index[corner];
+  const Vector potential = normalized(
+      merged, Poisson_solver(merged).solve(minus_divergence(merged, rotated_right(field))), true);
+  Vector result(Eigen::Index(index.size()));
+  for(Index vertex = 0; vertex < index.size(); ++vertex)
+    result[vertex] = potential[index[vertex]];
   return result;
 }
 
@@ -111,7 +169,9 @@ Surfel_field_components gradient_and_remainder(const Surface_arrays& cloud, std:
     planar[f] =
         in_plane(cloud, f, (1. / 3.) * (mean[corner[0]] + mean[corner[1]] + mean[corner[2]]));
   }
-  const Field gradient_field = gradient(o, Poisson_solver(o).solve(minus_divergence(o, planar)));
+  const Vector potential =
+      normalized(o, Poisson_solver(o).solve(minus_divergence(o, planar)), false);
+  const Field gradient_field = gradient(o, potential);
 
   Surfel_field_components result;
   std::vector<Vec3> sum(field.size(), Vec3{0., 0., 0.});
@@ -128,6 +188,7 @@ Surfel_field_components gradient_and_remainder(const Surface_arrays& cloud, std:
     const Vec3 vector = area[source] > 0. ? (1. / area[source]) * sum[source] : Vec3{0., 0., 0.};
     result.gradient.push_back(tangential(vector, cloud.normal[vertex]));
     result.remainder.push_back(field[vertex] - result.gradient[vertex]);
+    result.potential.push_back(potential[source]);
   }
   return result;
 }

@@ -61,6 +61,9 @@ namespace CGAL::Geodesic_processing {
   NAME(face_metric_map)                                                                            \
   NAME(transport_flow)                                                                             \
   NAME(potential_map)                                                                              \
+  NAME(gradient_potential_map)                                                                     \
+  NAME(rotation_potential_map)                                                                     \
+  NAME(vertex_rotation_potential_map)                                                              \
   NAME(flow_map)                                                                                   \
   NAME(arrival_map)                                                                                \
   NAME(capacities)                                                                                 \

@@ -143,11 +143,89 @@ TEST(Hodge, component_dimensions_match_topology)
   }
 }
 
+TEST(Hodge, components_are_gradients_of_normalized_potentials)
+{
+  for(const auto& [surface, harmonic] : cases())
+  {
+    const Array_surface array_surface(surface);
+    const Surface_arrays& t = array_surface.t();
+    const Operators o = operators(t);
+    const Field field = random_field(o.number_of_triangles(), 7);
+    const Hodge_components found = Hodge_solver(t, o).decompose(field);
+    const Field gradients = gradient(o, found.gradient_potential);
+    // The gradients of the hat functions of edges are minus two times those of opposite corners.
+    Field rotations(o.number_of_triangles(), Vec2{0., 0.});
+    for(Index h = 0; h < t.corner.size(); ++h)
+      rotations[h / 3] = rotations[h / 3] +
+                         (-2. * found.rotation_potential[h]) * o.hat_gradient[previous_halfedge(h)];
+    rotations = rotated_left(rotations);
+    for(std::size_t f = 0; f < field.size(); ++f)
+    {
+      EXPECT_LT(norm(gradients[f] - found.gradient[f]), round_off);
+      EXPECT_LT(norm(rotations[f] - found.rotation[f]), round_off);
+    }
+    const auto [component, number] = components(o);
+    std::vector<double> integral(number, 0.), edge_integral(number, 0.);
+    std::vector<bool> has_boundary(number, false);
+    const Vector mass = lumped_mass(o);
+    for(Index i = 0; i < component.size(); ++i)
+      integral[component[i]] += mass[i] * found.gradient_potential[i];
+    for(Index h = 0; h < t.corner.size(); ++h)
+    {
+      edge_integral[component[t.corner[h]]] += o.area[h / 3] / 3. * found.rotation_potential[h];
+      if(t.twin[h] == none)
+      {
+        has_boundary[component[t.corner[h]]] = true;
+        EXPECT_EQ(found.rotation_potential[h], 0.);
+      }
+      else
+      {
+        EXPECT_EQ(found.rotation_potential[h], found.rotation_potential[t.twin[h]]);
+      }
+    }
+    for(std::size_t c = 0; c < number; ++c)
+    {
+      EXPECT_NEAR(integral[c], 0., round_off);
+      if(!has_boundary[c])
+      {
+        EXPECT_NEAR(edge_integral[c], 0., round_off);
+      }
+    }
+  }
+}
+
+// The residual of a projection is orthogonal to the space: to the rotated gradients of all hat
+// functions of inner vertices.
+TEST(Hodge, vertex_rotation_potential_is_the_closest_function)
+{
+  for(const auto& [surface, harmonic] : cases())
+  {
+    const Array_surface array_surface(surface);
+    const Surface_arrays& t = array_surface.t();
+    const Operators o = operators(t);
+    const Field field = random_field(o.number_of_triangles(), 7);
+    const Vector potential = vertex_rotation_potential(t, o, field);
+    std::vector<bool> is_inner(o.number_of_vertices, true);
+    for(Index h = 0; h < t.corner.size(); ++h)
+      if(t.twin[h] == none)
+        is_inner[t.corner[h]] = is_inner[t.corner[next_halfedge(h)]] = false;
+    Field residual = rotated_left(gradient(o, potential));
+    for(std::size_t f = 0; f < residual.size(); ++f)
+      residual[f] = field[f] - residual[f];
+    const Vector products = minus_divergence(o, rotated_right(residual));
+    for(Index i = 0; i < is_inner.size(); ++i)
+      EXPECT_NEAR(is_inner[i] ? products[i] : potential[i], 0., round_off);
+  }
+}
+
 TEST(Hodge, throws_on_cloud)
 {
   const Cloud cloud = octahedron_sphere(2);
   const Surfel_arrays sphere = build_surfel_arrays(cloud.points, cloud.normals);
   EXPECT_THROW(Hodge_solver(sphere.arrays, operators(sphere.arrays)), Unsupported_surface_error);
+  EXPECT_THROW(vertex_rotation_potential(sphere.arrays, operators(sphere.arrays),
+                                         Field(sphere.arrays.number_of_triangles())),
+               Unsupported_surface_error);
 }
 
 // Two copies of a surfel have the mean of their fields, and a surfel without triangles has none.

@@ -18,14 +18,20 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Operators& operators);
 
 // The three orthogonal components of a field, each of #triangles vectors. Their sum is the field.
-// - `gradient` is the gradient of a function of the vertices.
-// - `rotation` is the rotated gradient of a function of the edges.
+// - `gradient` is the gradient of a function of the vertices, its potential.
+// - `rotation` is the gradient of a function of the edges, its potential, rotated to the left.
 // - `harmonic` is a linear combination of harmonic_fields().
+//
+// The integral of each potential over each component is zero. If the component has a boundary, the
+// potential of the rotation is zero on the boundary instead. Potentials of vertices and edges
+// without triangles of positive area are zero.
 struct Hodge_components
 {
   Field gradient;
   Field rotation;
   Field harmonic;
+  Vector gradient_potential;              // #vertices
+  std::vector<double> rotation_potential; // 3 #triangles: at the midpoint of each halfedge
 };
 
 // Computes the Hodge decomposition of the fields of a mesh (Polthier and Preuss 2003). On one
@@ -47,12 +53,23 @@ private:
   Poisson_solver m_vertex_solver, m_edge_solver;
 };
 
+// Computes the function of the vertices whose gradient, rotated to the left, is closest to a field.
+// It is zero on the boundary. On components without boundary its integral is zero. The rotated
+// gradients of such functions are a subspace of the rotations of Hodge_solver. One factorization.
+// Throws as Hodge_solver. (Solomon, Rustamov, Guibas and Butscher 2014, section 4.1)
+//
+// Returns #vertices values.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Vector vertex_rotation_potential(const Surface_arrays& triangles, const Operators& operators,
+                                 const Field& field);
+
 // The two components of a field of tangent vectors of surfels, each of #vertices vectors in space.
 // Their sum is the tangential field, up to the round-off error of one subtraction.
 struct Surfel_field_components
 {
   std::vector<Vec3> gradient;
   std::vector<Vec3> remainder;
+  std::vector<double> potential; // #vertices: the function whose gradient is taken
 };
 
 // Computes the gradient component of a field on a cloud, and the remainder. The triangles of a
@@ -62,7 +79,9 @@ struct Surfel_field_components
 // triangles, by area times weight. The field of a triangle is the mean over its corners, projected
 // to its plane. The gradient of a surfel is the mean over its triangles by area times weight,
 // projected to its tangent plane. Coincident surfels have the mean of their fields, and the same
-// gradient. The gradient is zero at surfels without triangles.
+// gradient. The gradient is zero at surfels without triangles. The integral of the potential over
+// the weighted triangles of each component is zero, as is the potential of surfels without
+// triangles.
 //
 // field  #vertices vectors in space, finite; the component along the normal is ignored
 //
