@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -376,6 +377,116 @@ TEST(Feature_distance, is_infinite_if_unreachable)
   auto behind_obstacle = vertex_map(plane);
   GP::feature_distance(plane, Vertex(0), behind_obstacle, GP::parameters::speed_map(speed));
   EXPECT_EQ(behind_obstacle[Vertex(4)], infinity);
+}
+
+// The lines x = 0.11 and x = 0.57 receive half of the mass of the square each. Mass moves to the left
+// at x if more of it is on the left of x than arrives there, and the potential has slope one. It is
+// therefore not zero on the second line, unlike the distance.
+TEST(Feature_distance, with_fixed_masses_is_the_dual_in_an_interval)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    Mesh mesh = mesh_of(scaled(square(16, 0.24), scale));
+    std::vector<GP::Source<Mesh>> lines;
+    for(const double x : {0.11, 0.57})
+      for(const auto& piece :
+          zero_set(mesh, [&](const Kernel::Point_3& p) { return p.x() - x * scale; }))
+        lines.push_back(piece);
+    auto found = vertex_map(mesh);
+    const GP::Earth_movers_cost cost = GP::feature_distance(
+        mesh, lines, found, GP::parameters::do_fix_masses(true).tolerance(1e-5));
+    EXPECT_TRUE(cost.is_converged);
+    // The integral of the flow, whose size is the difference of the masses on the left.
+    const double flow = 0.5 * (0.11 * 0.11 + 0.39 * 0.39 + 0.07 * 0.07 + 0.43 * 0.43);
+    EXPECT_NEAR(cost.value, flow * scale * scale * scale, 0.01 * scale * scale * scale);
+    for(const Vertex v : vertices(mesh))
+    {
+      const double x = mesh.point(v).x() / scale;
+      const double dual = x < 0.5 ? std::abs(x - 0.11) : x < 0.57 ? 0.89 - x : x - 0.25;
+      // The maximum of the potential is that of the vertices, which are up to an edge length of 1/16
+      // from the lines.
+      EXPECT_NEAR(found[v], dual * scale, scale / 16.);
+    }
+  }
+}
+
+// The result certifies its own optimality: its slope is at most one, and its integral against both
+// uniform distributions is the lower bound of the cost.
+TEST(Feature_distance, with_fixed_masses_is_an_optimal_dual_potential)
+{
+  Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
+  const std::vector<Vertex> feature = {Vertex(0), Vertex(17), Vertex(300)};
+  const auto found = vertex_map(mesh);
+  const GP::Earth_movers_cost cost = GP::feature_distance(
+      mesh, feature, found, GP::parameters::do_fix_masses(true).number_of_refinements(0u));
+  EXPECT_TRUE(cost.is_converged);
+  EXPECT_GE(cost.lower, (1. - 1e-3) * cost.upper); // the default tolerance
+  double area = 0., dual_value = 0.;
+  for(const Face f : faces(mesh))
+  {
+    const auto h = mesh.halfedge(f);
+    const std::array<Vertex, 3> v = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+    const Kernel::Vector_3 a = mesh.point(v[1]) - mesh.point(v[0]),
+                           b = mesh.point(v[2]) - mesh.point(v[0]), n = CGAL::cross_product(a, b);
+    const double x = found[v[1]] - found[v[0]], y = found[v[2]] - found[v[0]],
+                 size = std::sqrt(n.squared_length());
+    EXPECT_LE(std::sqrt((x * b - y * a).squared_length()) / size, 1. + 1e-9); // round-off errors
+    area += 0.5 * size;
+    dual_value += 0.5 * size * (found[v[0]] + found[v[1]] + found[v[2]]) / 3.;
+  }
+  for(const Vertex v : feature)
+    dual_value -= area / 3. * found[v];
+  EXPECT_NEAR(dual_value, cost.lower, 1e-9); // round-off errors
+  double smallest = GP::internal::infinity;
+  for(const Vertex v : vertices(mesh))
+    smallest = std::min(smallest, found[v]);
+  EXPECT_EQ(smallest, 0.);
+}
+
+TEST(Feature_distance, with_fixed_masses_is_the_distance_to_a_point)
+{
+  Mesh mesh = mesh_of(disjoint_union(icosphere(3), square(3, 0.2)));
+  const auto fixed = vertex_map(mesh);
+  const auto found = mesh.add_property_map<Vertex, double>("v:found").first;
+  GP::feature_distance(mesh, Vertex(7), fixed, GP::parameters::do_fix_masses(true));
+  GP::feature_distance(mesh, Vertex(7), found);
+  for(const Vertex v : vertices(mesh))
+    if(std::isinf(found[v]))
+    {
+      EXPECT_EQ(fixed[v], found[v]);
+    }
+    else
+    {
+      EXPECT_NEAR(fixed[v], found[v], 0.02); // twice the gaps of 0.1 % of distances up to pi
+    }
+}
+
+TEST(Feature_distance, accepts_fixed_masses_on_point_sets)
+{
+  const auto domain = GP::make_domain(point_set_of(ellipsoid_cloud(1000, {1., 1., 1.})));
+  const std::vector<Point_set::Index> feature = {Point_set::Index(0), Point_set::Index(999)};
+  std::vector<double> fixed(1000), found = distances_to(domain, feature);
+  GP::feature_distance(domain, feature,
+                       boost::make_function_property_map<std::size_t>([&](std::size_t i) -> double&
+                                                                      { return fixed[i]; }),
+                       GP::parameters::do_fix_masses(true));
+  // Both poles of the sphere are the nearest ones of half of the mass, by symmetry.
+  for(std::size_t i = 0; i < fixed.size(); ++i)
+    EXPECT_NEAR(fixed[i], found[i], 0.12); // the edge length
+}
+
+TEST(Feature_distance, with_fixed_masses_can_be_cancelled)
+{
+  Mesh mesh = mesh_of(icosphere(2));
+  auto found = mesh.add_property_map<Vertex, double>("v:kept", 7.).first;
+  EXPECT_THROW(GP::feature_distance(mesh, Vertex(0), found,
+                                    GP::parameters::do_fix_masses(true).callback(
+                                        std::function<bool(double)>([](double) { return false; }))),
+               GP::Cancelled);
+  EXPECT_EQ(found[Vertex(3)], 7.);
+  EXPECT_THROW(
+      GP::feature_distance(mesh, std::vector<Vertex>(), found, GP::parameters::do_fix_masses(true)),
+      GP::Invalid_argument_error);
 }
 
 } // namespace feature_distance_test

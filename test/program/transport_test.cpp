@@ -352,6 +352,9 @@ TEST_F(Program, feature_distance_matches_known_distances)
                   .get<double>(),
               0.375, 1e-3);
 
+  // Of a single point, the dual potential with fixed masses is the distance, up to half an edge.
+  EXPECT_NEAR(json("feature-distance square.ply --feature 0 --fixed-masses")["max"].get<double>(),
+              std::sqrt(2.), 0.5 / 8.);
   expect_failure("feature-distance square.ply", 1, "--feature");
   expect_failure("feature-distance square.ply --feature 99", 2, "99");
   expect_failure("feature-distance cloud.xyz --border", 2, "no boundary");

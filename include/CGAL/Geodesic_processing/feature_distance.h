@@ -3,13 +3,54 @@
 #ifndef CGAL_GEODESIC_PROCESSING_FEATURE_DISTANCE_H
 #define CGAL_GEODESIC_PROCESSING_FEATURE_DISTANCE_H
 
+#include <CGAL/Geodesic_processing/Earth_movers_solver.h>
 #include <CGAL/Geodesic_processing/Region_transport_solver.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
+#include <CGAL/Geodesic_processing/internal/transport/feature_masses.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+// Transports uniform mass to the uniform distribution on the feature, and writes the difference of
+// the potential and its maximum in each component. Throws as Earth_movers_solver.
+template <typename Method, typename Domain, typename Feature, typename DistanceMap,
+          typename NamedParameters>
+Earth_movers_cost write_fixed_mass_distances(const Domain& domain, const Feature& feature,
+                                             DistanceMap distance_map, const NamedParameters& np)
+{
+  std::vector<std::size_t> labels;
+  std::vector<std::vector<Surface_location>> polylines;
+  for(const Front_source& source : sources(domain, feature, labels))
+    polylines.push_back(source.polyline);
+  const Feature_masses masses =
+      uniform_feature_masses(*domain.triangles(), read_metric(domain, np), polylines);
+  Earth_movers_solver<typename Domain::Surface> solver(domain, np);
+  const Earth_movers_cost cost =
+      solver.template compute<Method>(masses.surface, masses.feature, np);
+  std::vector<double> max_potential(masses.has_feature.size(), -infinity);
+  const auto potential = [&](Index i) { return solver.potential(domain.vertex(i)); };
+  for(Index i = 0; i < masses.component.size(); ++i)
+    max_potential[masses.component[i]] =
+        (std::max)(max_potential[masses.component[i]], potential(i));
+  domain.write(
+      [&](Index i)
+      {
+        const Index c = masses.component[i];
+        return masses.has_feature[c] ? max_potential[c] - potential(i) : infinity;
+      },
+      distance_map);
+  return cost;
+}
+
+} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
@@ -19,8 +60,9 @@ namespace CGAL::Geodesic_processing {
 /// The distance is never above the geodesic distance, and it is smaller by a fraction of an edge.
 /// The fraction is larger if the feature is a location inside a face or between surfels.
 /// The distances of two points differ by at most the geodesic distance between them. A single
-/// solution yields all distances. The distribution of mass at the feature is a variable. If it is
-/// fixed, as in \cgalCite{cgal:srgb-emd-14}, section 6.2, only distances to points are obtained.
+/// solution yields all distances. The distribution of mass at the feature is a variable. On request
+/// it is fixed, as in \cgalCite{cgal:srgb-emd-14}, section 7. The result is then the distance only
+/// if the feature is a point, or if the fixed distribution is that of shortest paths.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
@@ -31,8 +73,21 @@ namespace CGAL::Geodesic_processing {
 /// \param feature as the region of `Region_transport_solver`
 /// \param distance_map receives a `double` for each vertex or surfel; infinity if no path leads to
 ///        the feature
-/// \param np named parameters of `Region_transport_solver` and its `compute()`
-/// \returns the integral of the distance over all points with a path to the feature, and its bounds
+/// \param np named parameters of `Region_transport_solver` and its `compute()`, and
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{do_fix_masses}
+///     \cgalParamDescription{whether the mass that arrives is distributed uniformly over the feature.
+///       The mass of each component is its area. It has equal masses per length of the polylines of
+///       the component, or at each location if no polyline has a length. The written value is the
+///       maximum of the potential in the component minus the potential. It changes by at most the
+///       distance between two points}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{`capacities` and `spreading_weight` are then not used.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \returns the integral of the distance over all points with a path to the feature, and its bounds;
+///          with fixed masses the cost of the transport to them
 /// \throws as `Region_transport_solver` and its `compute()`
 ///
 /// 10 to 25 iterations of O(n<SUP>1.5</SUP>) each.
@@ -43,6 +98,8 @@ Earth_movers_cost feature_distance(const Surface& surface, const Feature& featur
                                    const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
+  if(internal::parameter(np, internal_np::do_fix_masses, false))
+    return internal::write_fixed_mass_distances<Method>(domain, feature, distance_map, np);
   using Solver = Region_transport_solver<typename decltype(domain)::Surface>;
   Solver solver(domain, feature, np);
   const auto unit_density = [&](const typename Solver::Vertex& vertex)

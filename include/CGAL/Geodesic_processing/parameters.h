@@ -75,6 +75,7 @@ namespace CGAL::Geodesic_processing {
   NAME(do_normalize)                                                                               \
   NAME(do_bound_from_above)                                                                        \
   NAME(do_start_from_last)                                                                         \
+  NAME(do_fix_masses)                                                                              \
   NAME(do_make_discs)                                                                              \
   NAME(center_output)                                                                              \
   NAME(energy_output)                                                                              \

@@ -10,7 +10,7 @@ namespace {
 
 struct Feature_options : Transport_options
 {
-  bool use_boundary = false;
+  bool use_boundary = false, do_fix_masses = false;
   Region_options region;
 };
 
@@ -38,6 +38,7 @@ Transport_result compute_distances(const Surface_type& surface,
   result.cost = GP::feature_distance(domain, feature, Value_map<Vertex>{&result.potential},
                                      preparation(domain, options, speed)
                                          .tolerance(options.tolerance)
+                                         .do_fix_masses(options.do_fix_masses)
                                          .callback(job.progress_callback("distance to a feature")));
   result.triangles = picture_triangles(domain, job);
   return result;
@@ -97,6 +98,10 @@ void add_feature_distance(CLI::App& program)
               "vertex indices V[,V...], or a property that is positive at the feature vertices");
   add_region_options(command, options->region, "--feature");
   command.add_flag("--border", options->use_boundary, "all boundary cycles of a mesh");
+  command.add_flag(
+      "--fixed-masses", options->do_fix_masses,
+      "distribute the arriving mass uniformly over the feature; the result is then the "
+      "dual potential, which is a distance only for a single point");
   command
       .add("--tolerance", options->tolerance, "T",
            "maximum gap between lower and upper bound, relative to the upper bound")
