@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Counts the vertices that violate the triangle inequality, for spectral and heat distances.
+// Counts the vertices that violate the triangle inequality, for spectral distances and for heat
+// distances with three time steps.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -24,7 +25,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 // Computes the relative detour (d(p, v) + d(v, q)) / d(p, q) - 1 of each vertex v, with d(p, q)
 // averaged over both directions. Negative values violate the triangle inequality.
-Distances compute_detours(const char* name, const Distances& p, const Distances& q,
+Distances compute_detours(const std::string& name, const Distances& p, const Distances& q,
                           std::size_t p_index, std::size_t q_index)
 {
   const double forward = p[q_index], backward = q[p_index], distance = 0.5 * (forward + backward);
@@ -61,25 +62,37 @@ int main(int argc, char* argv[])
   };
   const GP::Transport_metric<Mesh> metric(domain);
   const auto spectral = [&](Vertex from) { metric.write_distances<CGAL::Parallel_tag>(from, map); };
-  const auto heat = [&](Vertex from) { GP::geodesic_distances<GP::Heat>(domain, from, map); };
-  const Distances by_transport = compute_detours(
-      "Spectral distances", compute_distances(p, spectral), compute_distances(q, spectral), p, q);
-  const Distances by_heat = compute_detours("Heat distances", compute_distances(p, heat),
-                                            compute_distances(q, heat), p, q);
+  std::vector<Distances> detours = {compute_detours(
+      "Spectral distances", compute_distances(p, spectral), compute_distances(q, spectral), p, q)};
+  for(const int time_step : {1, 10, 100})
+  {
+    GP::Geodesic_distance_solver<Mesh, GP::Heat> solver(
+        domain, GP::parameters::heat_time_step(double(time_step)));
+    const auto heat = [&](Vertex from)
+    {
+      solver.compute(from);
+      solver.write_distances(map);
+    };
+    detours.push_back(compute_detours(
+        "Heat distances with a time step of " + std::to_string(time_step) + " squared edge lengths",
+        compute_distances(p, heat), compute_distances(q, heat), p, q));
+  }
 
-  // Writes both results next to each other, the one of the heat method rotated by 180 degrees. If
-  // the triangle inequality is violated, the value is set to the minimum of the color range.
+  // Writes all results in a row, from spectral distances to the largest time step. Those of the
+  // heat method are rotated by 180 degrees. If the triangle inequality is violated, the value is
+  // set to the minimum of the color range.
   Mesh output;
   output.add_property_map<Vertex, double>("v:detour", 0.);
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
-  const Kernel::Vector_3 step(1.1 * (box.xmax() - box.xmin()), 0., 0.);
-  for(const Distances* detour : {&by_heat, &by_transport})
+  const double step = 1.1 * (box.xmax() - box.xmin()), sum = box.xmin() + box.xmax();
+  const Mesh original = mesh;
+  for(std::size_t i = 0; i < detours.size(); ++i)
   {
     for(Vertex v : mesh.vertices())
     {
-      map[v] = (*detour)[v] < -1e-6 ? -0.4 : (std::min)(0.4, (*detour)[v]);
-      const auto& x = mesh.point(v);
-      mesh.point(v) = detour == &by_heat ? Kernel::Point_3(-x.x(), x.y(), -x.z()) : x + step;
+      map[v] = detours[i][v] < -1e-6 ? -0.4 : (std::min)(0.4, detours[i][v]);
+      const auto& x = original.point(v);
+      mesh.point(v) = i == 0 ? x : Kernel::Point_3(sum - x.x() + double(i) * step, x.y(), -x.z());
     }
     output += mesh;
   }

@@ -15,7 +15,6 @@
 #include <CGAL/Geodesic_processing/internal/transport/biharmonic.h>
 #include "transport/uniform_refinement.h"
 #include <CGAL/Geodesic_processing/internal/distances/heat.h>
-#include "mesh/intrinsic_delaunay.h"
 #include <CGAL/Geodesic_processing/internal/transport/Transport_solver.h>
 #include <CGAL/Geodesic_processing/internal/transport/spectral_transport.h>
 
@@ -66,41 +65,22 @@ std::string mean_and_largest(const std::vector<double>& values, int decimals)
 
 // Computes distances by the heat method with a time step of `squares` times the squared mean edge
 // length.
-class Heat
+GP::Geodesic_distance_solver<Mesh, GP::Heat> heat_solver(const Domain& domain, double squares)
 {
-public:
-  Heat(const Triangles& triangles, double squares) : m_triangles(triangles)
-  {
-    Surface_arrays t = *triangles;
-    double mean = 0.;
-    for(const double length : t.length)
-      mean += length / double(t.length.size());
-    flip_to_delaunay(t);
-    m_operators = operators(t);
-    const Laplacian laplacian(m_operators);
-    Sparse_matrix poisson = laplacian.matrix(m_operators);
-    Sparse_matrix heat = squares * mean * mean * poisson;
-    heat.diagonal() += lumped_mass(m_operators);
-    m_heat = std::make_unique<Sparse_solver>(heat);
-    laplacian.pin(poisson);
-    m_poisson = std::make_unique<Sparse_solver>(poisson);
-  }
-  // Returns the distances of all vertices, relative to `from`.
-  Vector distances(const Surface_location& from) const
-  {
-    const Vector start = masses_at(*m_triangles, {from}).col(0);
-    Field direction = gradient(m_operators, m_heat->solve(start));
-    for(Vec2& v : direction)
-      v = norm(v) > 0. ? (-1. / norm(v)) * v : v;
-    const Vector result = m_poisson->solve(minus_divergence(m_operators, direction));
-    return result.array() - start.dot(result);
-  }
+  return GP::Geodesic_distance_solver<Mesh, GP::Heat>(domain,
+                                                      GP::parameters::heat_time_step(squares));
+}
 
-private:
-  Triangles m_triangles;
-  Operators m_operators;
-  std::unique_ptr<Sparse_solver> m_heat, m_poisson;
-};
+// Returns the distances of all vertices from a vertex.
+Vector heat_distances(const Domain& domain, GP::Geodesic_distance_solver<Mesh, GP::Heat>& solver,
+                      Index from)
+{
+  solver.compute(domain.vertex(from));
+  Vector result(Eigen::Index(domain.number_of_vertices()));
+  for(Index i = 0; i < domain.number_of_vertices(); ++i)
+    result[i] = solver.distance(domain.vertex(i));
+  return result;
+}
 
 // Computes bounds of the distances of pairs of locations, in the caller's unit.
 struct Distance_method
@@ -144,14 +124,15 @@ Distance_method exact(const Triangles& t)
                        });
 }
 
-Distance_method heat(const Triangles& t, double squares)
+Distance_method heat(const Domain& domain, double squares)
 {
-  const auto solver = std::make_shared<const Heat>(t, squares);
+  const auto solver =
+      std::make_shared<GP::Geodesic_distance_solver<Mesh, GP::Heat>>(heat_solver(domain, squares));
   return from_pairwise("heat " + format_significant(squares) + " h2",
                        [=](const Pair& pair)
                        {
-                         const Vector to = masses_at(*t, {pair[1]}).col(0);
-                         return t->scale * to.dot(solver->distances(pair[0]));
+                         solver->compute(domain.outer(pair[0]));
+                         return solver->distance(domain.outer(pair[1]));
                        });
 }
 
@@ -572,8 +553,9 @@ void add_metric_rows(Table& table, const std::string& name, const Mesh& mesh)
   const Spectral_transport spectral(t, 0, Particular_field::gradient);
   for(const double squares : {1., 10., 100.})
   {
-    const Heat solver(t, squares);
-    add(heat(t, squares), [&](const Surface_location& p) { return solver.distances(p); });
+    auto solver = heat_solver(domain, squares);
+    add(heat(domain, squares),
+        [&](const Surface_location& p) { return heat_distances(domain, solver, p.vertex); });
   }
   add(biharmonic(t),
       [&](const Surface_location& p) { return biharmonic_distances.one_to_all(mass(p), 1); });
@@ -676,16 +658,17 @@ Mesh bend(Mesh mesh)
 
 // Adds a row with the relative changes of distances from one surface to another, mean and largest,
 // in percent.
-void add_change_row(Table& table, const std::string& name, const Triangles& one,
-                    const std::vector<Pair>& pairs, const Triangles& other,
+void add_change_row(Table& table, const std::string& name, const Domain& one,
+                    const std::vector<Pair>& pairs, const Domain& other,
                     const std::vector<Pair>& same_pairs)
 {
-  std::vector<std::string> row = {name, std::to_string(one->number_of_vertices()) + " to " +
-                                            std::to_string(other->number_of_vertices())};
-  const auto methods = [](const Triangles& t)
+  std::vector<std::string> row = {name, std::to_string(one.number_of_vertices()) + " to " +
+                                            std::to_string(other.number_of_vertices())};
+  const auto methods = [](const Domain& domain)
   {
-    return std::vector<Distance_method>{exact(t),     heat(t, 1.),    biharmonic(t),
-                                        family(t, 0), family(t, 100), complete(t)};
+    const Triangles& t = domain.triangles();
+    return std::vector<Distance_method>{exact(t),     heat(domain, 1.), biharmonic(t),
+                                        family(t, 0), family(t, 100),   complete(t)};
   };
   const std::vector<Distance_method> before = methods(one), after = methods(other);
   for(std::size_t m = 0; m < before.size(); ++m)
@@ -714,7 +697,7 @@ void print_stability(bool is_quick)
     for(const auto& [p, q] : pairs)
       same.push_back({vertex_location(b.index(a.vertex(p.vertex))),
                       vertex_location(b.index(a.vertex(q.vertex)))});
-    add_change_row(table, name, a.triangles(), pairs, b.triangles(), same);
+    add_change_row(table, name, a, pairs, b, same);
   };
   const int rows = is_quick ? 10 : 24;
   add("sheet, rolled", sheet(rows, 0.), sheet(rows, 1.5 * CGAL_PI));
@@ -742,8 +725,7 @@ void print_stability(bool is_quick)
           for(Pair& pair : pairs)
             for(Surface_location& p : pair)
               p = domain.inner(location[other.vertex(p.vertex)]);
-          add_change_row(table, name + ", remeshed", domain.triangles(), pairs, other.triangles(),
-                         same);
+          add_change_row(table, name + ", remeshed", domain, pairs, other, same);
         }
       });
   table.print();
@@ -761,12 +743,13 @@ void print_evenness(bool is_quick)
                                           "knot1_3k"},
       [&](const std::string& name, Mesh& mesh)
       {
-        const Triangles t = Domain(mesh).triangles();
+        const Domain domain(mesh);
+        const Triangles& t = domain.triangles();
         const Index n = Index(t->number_of_vertices());
         const Operators o = operators(*t);
         const std::vector<Index> sources = {0, n / 2};
         std::vector<std::vector<double>> unevenness_values(6);
-        const Heat solver(t, 1.);
+        auto solver = heat_solver(domain, 1.);
         const Biharmonic_distances biharmonic_distances(*t);
         std::vector<std::unique_ptr<Spectral_transport>> families;
         for(const std::size_t k : {0, 10, 100})
@@ -797,7 +780,7 @@ void print_evenness(bool is_quick)
           };
           const Masses mass = masses_at(*t, {vertex_location(from)});
           unevenness_values[0].push_back(unevenness(truth));
-          unevenness_values[1].push_back(unevenness(solver.distances(vertex_location(from))));
+          unevenness_values[1].push_back(unevenness(heat_distances(domain, solver, from)));
           unevenness_values[2].push_back(unevenness(biharmonic_distances.one_to_all(mass, 1)));
           for(std::size_t i = 0; i < families.size(); ++i)
             unevenness_values[3 + i].push_back(unevenness(families[i]->one_to_all(mass, {})));
