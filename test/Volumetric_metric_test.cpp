@@ -5,19 +5,24 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
+#include <CGAL/Geodesic_processing/volumetric_distance.h>
 
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace Volumetric_metric_test {
@@ -237,6 +242,166 @@ TEST(Volumetric_metric, finds_paths_outside)
   ASSERT_TRUE(
       metric.write_path(Point_3(1.5, 0.1, 0.2), Point_3(-1.5, 0., 0.), std::back_inserter(path)));
   EXPECT_LT(length_of_path(path, mesh), 6.);
+}
+
+// A tetrahedron with its barycentric coordinates. The transport distance of two points inside is the
+// cost of moving the differences of the coordinates, and the distance of the surface on it.
+struct Tetrahedron
+{
+  Mesh mesh;
+  explicit Tetrahedron(double scale = 1.)
+  {
+    CGAL::make_tetrahedron(Point_3(0., 0., 0.), Point_3(2. * scale, 0., 0.),
+                           Point_3(0., 3. * scale, 0.), Point_3(0., 0., scale), mesh);
+  }
+  std::vector<double> coordinates(const Point_3& p) const
+  {
+    std::vector<double> result;
+    for(const Vertex v : mesh.vertices())
+    {
+      std::vector<Point_3> q;
+      for(const Vertex w : mesh.vertices())
+        q.push_back(w == v ? p : mesh.point(w));
+      std::vector<Point_3> r;
+      for(const Vertex w : mesh.vertices())
+        r.push_back(mesh.point(w));
+      result.push_back(CGAL::volume(q[0], q[1], q[2], q[3]) / CGAL::volume(r[0], r[1], r[2], r[3]));
+    }
+    return result;
+  }
+};
+
+TEST(Volumetric_metric, accepts_coordinates_of_a_tetrahedron)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    const Tetrahedron tetrahedron(scale);
+    std::size_t calls = 0;
+    const auto np = GP::parameters::barycentric_coordinates(
+                        [&](const Point_3& p)
+                        {
+                          ++calls;
+                          return tetrahedron.coordinates(p);
+                        })
+                        .number_of_refinements(3u);
+    const Metric metric(tetrahedron.mesh, np);
+    // On a tetrahedron, mean value coordinates are the barycentric coordinates.
+    const Metric by_mean_value(tetrahedron.mesh, GP::parameters::number_of_refinements(3u));
+    for(const auto& [p, q] : {std::pair(Point_3(0.2, 0.4, 0.3), Point_3(0.9, 0.6, 0.1)),
+                              std::pair(Point_3(0., 0., 0.), Point_3(0.3, 0.3, 0.3)),
+                              std::pair(Point_3(-1., 0.5, 2.), Point_3(3., 3., 3.))})
+    {
+      const CGAL::Aff_transformation_3<Kernel> scaling(CGAL::SCALING, scale);
+      const Point_3 from = scaling(p), to = scaling(q);
+      const GP::Earth_movers_cost found = metric.cost(from, to);
+      EXPECT_NEAR(found.value, by_mean_value.distance(from, to), round_off * scale);
+      EXPECT_GE(found.lower, euclidean_distance(from, to) * (1. - round_off));
+    }
+    EXPECT_EQ(calls, 6u);
+    // The distance of the function for one query.
+    EXPECT_EQ(GP::volumetric_distance(tetrahedron.mesh, Point_3(0., 0., 0.),
+                                      Point_3(0.3 * scale, 0.3 * scale, 0.3 * scale), np)
+                  .value,
+              metric.distance(Point_3(0., 0., 0.), Point_3(0.3 * scale, 0.3 * scale, 0.3 * scale)));
+  }
+}
+
+// Harmonic coordinates of a cube with one inner vertex: in each tetrahedron of a face and the
+// center, the linear functions whose value at the center is 1/8 for each vertex. They reproduce
+// linear functions and differ from mean value coordinates.
+std::vector<double> harmonic_coordinates(const Mesh& cube, const Point_3& p)
+{
+  const Point_3 center(0.5, 0.5, 0.5);
+  for(const Face f : cube.faces())
+  {
+    const auto h = cube.halfedge(f);
+    const std::array<Vertex, 3> corner = {cube.source(h), cube.target(h),
+                                          cube.target(cube.next(h))};
+    const std::array<Point_3, 4> q = {cube.point(corner[0]), cube.point(corner[1]),
+                                      cube.point(corner[2]), center};
+    const double volume = CGAL::volume(q[0], q[1], q[2], q[3]);
+    std::array<double, 4> weight;
+    for(std::size_t k = 0; k < 4; ++k)
+    {
+      std::array<Point_3, 4> r = q;
+      r[k] = p;
+      weight[k] = CGAL::volume(r[0], r[1], r[2], r[3]) / volume;
+    }
+    if(*std::min_element(weight.begin(), weight.end()) < -1e-12)
+      continue;
+    std::vector<double> result(8, weight[3] / 8.);
+    for(std::size_t k = 0; k < 3; ++k)
+      result[corner[k]] += weight[k];
+    return result;
+  }
+  return {};
+}
+
+TEST(Volumetric_metric, accepts_harmonic_coordinates)
+{
+  Mesh cube;
+  CGAL::make_hexahedron(Point_3(0., 0., 0.), Point_3(1., 0., 0.), Point_3(1., 1., 0.),
+                        Point_3(0., 1., 0.), Point_3(0., 1., 1.), Point_3(0., 0., 1.),
+                        Point_3(1., 0., 1.), Point_3(1., 1., 1.), cube);
+  CGAL::Polygon_mesh_processing::triangulate_faces(cube);
+  const auto np = GP::parameters::number_of_refinements(2u);
+  const Metric metric(cube, np.barycentric_coordinates([&](const Point_3&p)
+                                                       { return harmonic_coordinates(cube, p); })),
+      by_mean_value(cube, np);
+  const Point_3 center(0.5, 0.5, 0.5), corner(0., 0., 0.), other(0.3, 0.4, 0.7);
+  // The center has equal weights at all vertices.
+  GP::Earth_movers_solver<Mesh> solver(cube, np);
+  const std::vector<Vertex> all(cube.vertices().begin(), cube.vertices().end());
+  const auto is_corner = [&](Vertex v) { return cube.point(v) == corner; };
+  const GP::Earth_movers_cost expected =
+      solver.compute(all, *std::find_if(all.begin(), all.end(), is_corner));
+  EXPECT_NEAR(metric.cost(center, corner).upper, expected.upper, round_off);
+  EXPECT_GT(std::abs(metric.distance(other, corner) - by_mean_value.distance(other, corner)), 1e-3);
+  // On the surface the distance is the same, up to the gaps.
+  const Point_3 on_face(0.3, 0.6, 0.);
+  EXPECT_NEAR(metric.distance(on_face, corner), by_mean_value.distance(on_face, corner), round_off);
+  // The properties of a metric.
+  const std::vector<Point_3> points = {center, corner, other, on_face, Point_3(0.9, 0.2, 0.5)};
+  for(const Point_3& p : points)
+    for(const Point_3& q : points)
+    {
+      const GP::Earth_movers_cost cost = metric.cost(p, q);
+      EXPECT_GE(cost.lower, euclidean_distance(p, q) * (1. - round_off));
+      for(const Point_3& r : points)
+        EXPECT_LE(cost.lower, metric.cost(p, r).upper + metric.cost(r, q).upper + round_off);
+    }
+  // Threads do not call the function at the same time.
+  const auto costs =
+      metric.costs<CGAL::Parallel_tag>(corner, points, GP::parameters::number_of_threads(3));
+  for(std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_EQ(costs[i].value, metric.costs(corner, points)[i].value);
+  std::vector<Point_3> path;
+  EXPECT_TRUE(metric.write_path(other, Point_3(0.7, 0.6, 0.3), std::back_inserter(path)));
+}
+
+TEST(Volumetric_metric, throws_on_invalid_coordinates)
+{
+  const Tetrahedron tetrahedron;
+  const Point_3 p(0.2, 0.4, 0.3), corner(0., 0., 0.);
+  const auto expect_rejected = [&](const auto& change)
+  {
+    const Metric metric(tetrahedron.mesh, GP::parameters::barycentric_coordinates(
+                                              [&](const Point_3& point)
+                                              {
+                                                std::vector<double> w =
+                                                    tetrahedron.coordinates(point);
+                                                change(w);
+                                                return w;
+                                              }));
+    EXPECT_THROW(metric.distance(p, p), GP::Invalid_argument_error);
+    EXPECT_THROW(metric.costs<CGAL::Parallel_tag>(corner, std::vector<Point_3>{p}),
+                 GP::Invalid_argument_error);
+  };
+  expect_rejected([](std::vector<double>& w) { w[0] += 1e-3; });
+  expect_rejected([](std::vector<double>& w) { w[0] += 1e-3, w[1] -= 1e-3; });
+  expect_rejected([](std::vector<double>& w) { w[2] = std::nan(""); });
+  expect_rejected([](std::vector<double>& w) { w.pop_back(); });
+  expect_rejected([](std::vector<double>& w) { w.push_back(0.); });
 }
 
 TEST(Volumetric_metric, throws_on_invalid_input)

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <numeric>
 #include <utility>
 
@@ -114,10 +115,10 @@ Small_vector interpolation_weights(const std::vector<const Pivot*>& pivots, cons
 class One_to_many_query
 {
 public:
-  One_to_many_query(const Mean_value_coordinates& coordinates, const Transport_solver& solver,
+  One_to_many_query(const Volumetric_distances& distances, const Transport_solver& solver,
                     double scale, const Vec3& from, double tolerance)
-      : m_coordinates(coordinates), m_solver(solver), m_scale(scale), m_tolerance(tolerance),
-        m_from(from), m_from_coordinates(coordinates(from))
+      : m_distances(distances), m_solver(solver), m_scale(scale), m_tolerance(tolerance),
+        m_from(from), m_from_coordinates(distances.coordinates(from))
   {
     const std::vector<double>& area = operators().area;
     m_area = std::accumulate(area.begin(), area.end(), 0.);
@@ -127,9 +128,10 @@ public:
   Volumetric_bounds bounds(const Vec3& to, std::unique_ptr<Pivot>& pivot) const
   {
     Vector masses = Vector::Zero(Eigen::Index(operators().number_of_vertices));
-    masses.head(m_from_coordinates.size()) = m_coordinates(to) - m_from_coordinates;
+    const Vector difference = m_distances.coordinates(to) - m_from_coordinates;
+    masses.head(difference.size()) = difference;
     Volumetric_bounds result;
-    result.lower = norm(to - m_from) / m_scale;
+    result.lower = m_distances.euclidean_bound(m_from, to, difference) / m_scale;
     result.upper = infinity;
     if(!m_pivots.empty())
       interpolate(to, masses, result);
@@ -251,7 +253,7 @@ private:
       pivot->flow.push_back({float(vector[0]), float(vector[1])});
   }
 
-  const Mean_value_coordinates& m_coordinates;
+  const Volumetric_distances& m_distances;
   const Transport_solver& m_solver;
   double m_scale, m_tolerance, m_area;
   Vec3 m_from;
@@ -261,24 +263,95 @@ private:
 
 } // namespace
 
-Volumetric_distances::Volumetric_distances(std::shared_ptr<const Surface_arrays> triangles,
-                                           unsigned refinements)
-    : m_triangles(triangles), m_coordinates(triangles), m_transport_solver(triangles, refinements),
-      m_tree(triangles)
+Vector checked_coordinates(const Surface_arrays& t, const Vec3& point, Vector weights)
 {
+  // Coordinates that follow from iterative solutions have such errors.
+  constexpr double tolerance = 1e-6;
+  if(weights.size() != Eigen::Index(t.number_of_vertices()))
+    throw Invalid_argument_error("The number of barycentric coordinates is not that of vertices.");
+  const double size = weights.lpNorm<1>(), sum = weights.sum();
+  if(!std::isfinite(size))
+    throw Invalid_argument_error("A barycentric coordinate is not finite.");
+  if(!(std::abs(sum - 1.) <= tolerance * size))
+    throw Invalid_argument_error("The barycentric coordinates do not sum to one.");
+  weights /= sum;
+  double extent = 0.;
+  for(const Index vertex : t.corner)
+    extent = std::max(extent, norm(t.point[vertex] - t.point[t.corner[0]]));
+  Vec3 error = {0., 0., 0.};
+  bool is_vertex = false;
+  double weight_at_point = 0.; // of the vertices there
+  for(Index i = 0; i < t.number_of_vertices(); ++i)
+  {
+    const bool is_isolated = t.ring_begin[i] == t.ring_begin[i + 1];
+    if(is_isolated && weights[i] != 0.)
+      throw Invalid_argument_error("A vertex without faces has a barycentric coordinate.");
+    const Vec3 offset = t.point[i] - (1. / t.scale) * (point - t.origin);
+    error = error + weights[i] * offset;
+    if(!is_isolated && norm(offset) <= 1e-12 * extent) // round-off errors of scaled coordinates
+    {
+      is_vertex = true;
+      weight_at_point += weights[i];
+    }
+  }
+  if(!(norm(error) <= tolerance * extent * size))
+    throw Invalid_argument_error("The barycentric coordinates do not reproduce the point.");
+  if(is_vertex && !(std::abs(weight_at_point - 1.) <= tolerance && size <= 1. + 3. * tolerance))
+    throw Invalid_argument_error("The barycentric coordinates of a vertex are not those of it.");
+  return weights;
+}
+
+Volumetric_distances::Volumetric_distances(std::shared_ptr<const Surface_arrays> triangles,
+                                           unsigned refinements,
+                                           Coordinate_function coordinate_function)
+    : m_triangles(triangles), m_mean_value_coordinates(triangles),
+      m_transport_solver(triangles, refinements), m_tree(triangles)
+{
+  if(coordinate_function)
+    m_coordinate_function = [function = std::move(coordinate_function),
+                             mutex = std::make_shared<std::mutex>()](const Vec3& point)
+    {
+      const std::lock_guard<std::mutex> lock(*mutex);
+      return function(point);
+    };
   if(!is_connected(*triangles))
     throw Unsupported_surface_error(
         "The mesh has several components, but no mass can move between components.");
+}
+
+Vector Volumetric_distances::coordinates(const Vec3& point) const
+{
+  if(!m_coordinate_function)
+    return m_mean_value_coordinates(point);
+  for(const double coordinate : point)
+    if(!std::isfinite(coordinate))
+      throw Invalid_argument_error("A coordinate of a point is not finite.");
+  return checked_coordinates(*m_triangles, point, m_coordinate_function(point));
+}
+
+// Coordinates of the caller can have errors. The bound is then the distance of the points that they
+// reproduce, because it is the change of a linear function.
+double Volumetric_distances::euclidean_bound(const Vec3& from, const Vec3& to,
+                                             const Vector& difference) const
+{
+  if(!m_coordinate_function)
+    return norm(to - from);
+  Vec3 result = {0., 0., 0.};
+  for(Eigen::Index i = 0; i < difference.size(); ++i)
+    result = result + difference[i] * m_triangles->point[std::size_t(i)];
+  return m_triangles->scale * norm(result);
 }
 
 Transport_result Volumetric_distances::cost(const Vec3& from, const Vec3& to,
                                             const Transport_options& options) const
 {
   Mass_distribution before, after;
-  before.at_vertices = m_coordinates(from);
-  after.at_vertices = m_coordinates(to);
+  before.at_vertices = coordinates(from);
+  after.at_vertices = coordinates(to);
   Transport_result result = m_transport_solver.solve(before, after, options);
-  result.lower = std::min(result.upper, std::max(result.lower, norm(to - from)));
+  result.lower = std::min(
+      result.upper,
+      std::max(result.lower, euclidean_bound(from, to, after.at_vertices - before.at_vertices)));
   result.value = 0.5 * (result.lower + result.upper);
   return result;
 }
@@ -289,7 +362,7 @@ Volumetric_distances::one_to_many(const Vec3& from, const std::vector<Vec3>& to,
 {
   if(!(options.tolerance > 0.))
     throw Invalid_argument_error("The tolerance must be positive.");
-  One_to_many_query query(m_coordinates, m_transport_solver.finest_level_solver(),
+  One_to_many_query query(*this, m_transport_solver.finest_level_solver(),
                           m_transport_solver.finest_level_scale(), from, options.tolerance);
   std::vector<Volumetric_bounds> result(to.size());
   if(to.empty())
@@ -333,7 +406,7 @@ Vec3 Volumetric_distances::potential_gradient(const Vector& potential, const Vec
     Vec3 before = point, after = point;
     before[c] -= step;
     after[c] += step;
-    const Vector change = m_coordinates(after) - m_coordinates(before);
+    const Vector change = coordinates(after) - coordinates(before);
     result[c] = potential.head(change.size()).dot(change) / (after[c] - before[c]);
   }
   return result;
@@ -346,7 +419,7 @@ bool Volumetric_distances::descend(const Vec3& to, double clearance_target,
                                    Volumetric_path& path) const
 {
   const Transport_solver& solver = m_transport_solver.finest_level_solver();
-  const Vector target = m_coordinates(to);
+  const Vector target = coordinates(to);
   const double end_clearance = distance_to_surface(to);
   Vec3 point = path.points.back();
   double min_upper = infinity;
@@ -354,7 +427,7 @@ bool Volumetric_distances::descend(const Vec3& to, double clearance_target,
   while(path.number_of_solutions < maximum_number_of_solutions && number_of_stalls < 10)
   {
     Vector masses = Vector::Zero(Eigen::Index(solver.operators().number_of_vertices));
-    masses.head(target.size()) = target - m_coordinates(point);
+    masses.head(target.size()) = target - coordinates(point);
     Transport_options options;
     options.tolerance = 5e-3;
     const Transport_result found = solver.solve(masses, options);
@@ -396,7 +469,7 @@ Volumetric_path Volumetric_distances::path(const Vec3& from, const Vec3& to,
   const double clearance_target = std::min(distance_to_surface(from), distance_to_surface(to));
   if(!(clearance_target > 0.))
     throw Invalid_argument_error("A path in space cannot begin or end on the surface.");
-  if(!m_coordinates.are_on_same_side(from, to))
+  if(!m_mean_value_coordinates.are_on_same_side(from, to))
     throw Invalid_argument_error("The ends of a path are on different sides of the surface.");
   Volumetric_path result;
   result.points.push_back(from);

@@ -168,14 +168,14 @@ void add_path_row(const std::string& name, const Triangulation& shape, int pairs
 {
   const Array_surface surface(shape);
   const Volumetric_distances distances(surface.triangles(), 0);
+  const Mean_value_coordinates coordinates(surface.triangles());
   const Box box(shape);
   std::mt19937 random(3);
   const Vec3 outside = box.high + (box.high - box.low);
   const auto inside = [&]
   {
     for(;;)
-      if(const Vec3 p = box.random_point(random);
-         !distances.coordinates().are_on_same_side(p, outside))
+      if(const Vec3 p = box.random_point(random); !coordinates.are_on_same_side(p, outside))
         return p;
   };
   std::size_t arrived = 0, number_of_intersections = 0, solutions = 0;

@@ -11,8 +11,10 @@
 #include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/mean_value_coordinates.h>
 
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -23,9 +25,9 @@ namespace CGAL::Geodesic_processing {
 /// Computes distances between points in space, inside and outside of a closed mesh. The distances
 /// account for the obstacles that the surface forms.
 ///
-/// The mean value coordinates of a point are masses at the vertices. The distance of two points is
-/// the cost of transporting the masses of one point to the masses of the other along the surface.
-/// \cgalCite{cgal:srgb-emd-14}, section 6
+/// The mean value coordinates of a point are masses at the vertices; other barycentric coordinates
+/// can be passed. The distance of two points is the cost of transporting the masses of one point to
+/// the masses of the other along the surface. \cgalCite{cgal:srgb-emd-14}, section 6
 ///
 /// Between points on the surface, the distance is that of `Earth_movers_solver`: the geodesic
 /// distance, up to a fraction of an edge. It is never below the Euclidean distance, and it is zero
@@ -48,8 +50,24 @@ public:
   /// Precomputes the factorizations, as `Earth_movers_solver`.
   ///
   /// \param mesh the mesh
-  /// \param np named parameters of `make_domain()`, and `number_of_refinements` as for
-  ///        `Earth_movers_solver`
+  /// \param np named parameters of `make_domain()`, `number_of_refinements` as for
+  ///        `Earth_movers_solver`, and
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{barycentric_coordinates}
+  ///     \cgalParamDescription{a function of a point that returns its barycentric coordinates: one
+  ///       weight for each vertex, in the order of `vertices(mesh)`. The weights sum to one, and the
+  ///       weighted sum of the vertices is the point. At a vertex, its weight is one and the others
+  ///       are zero. These properties are checked at each point. One thread at a time calls the
+  ///       function}
+  ///     \cgalParamType{a copyable function object with a parameter of type `Point_3` that returns a
+  ///       range of `double`}
+  ///     \cgalParamDefault{mean value coordinates}
+  ///     \cgalParamExtra{If the coordinates at points of an edge or a face are not those of the edge
+  ///       or the face, the distance is not that of the surface. Differences of a point and the
+  ///       weighted sum of up to 10<SUP>-6</SUP> times the extent of the mesh are accepted. Bounds
+  ///       refer to the weighted sum.}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// \throws as `Earth_movers_solver`
   /// \throws Unsupported_surface_error if the mesh has a boundary or several components
   ///
@@ -64,7 +82,8 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Volumetric_metric(const Domain& domain, const NamedParameters& np = NamedParameters())
       : m_domain(domain), m_distances(std::make_shared<const internal::Volumetric_distances>(
-                              domain.triangles(), internal::number_of_refinements(domain, np)))
+                              domain.triangles(), internal::number_of_refinements(domain, np),
+                              coordinate_function(domain, np)))
   {}
 
   /// Returns the domain of the mesh. O(1).
@@ -116,7 +135,10 @@ public:
   ///     \cgalParamDefault{no callback}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws as `mean_value_coordinates()` for a point
+  /// \throws as `mean_value_coordinates()` for a point, or as the function
+  ///         `barycentric_coordinates`
+  /// \throws Invalid_argument_error if a coordinate of a point is not finite, or if the values of
+  ///         `barycentric_coordinates` are not barycentric coordinates of it
   /// \throws Invalid_argument_error if the tolerance is not positive
   /// \throws Cancelled if the callback returns false
   /// \returns the distance with bounds
@@ -242,6 +264,33 @@ public:
   }
 
 private:
+  // Converts `barycentric_coordinates` to the order of the domain; empty if it is not given.
+  template <typename NamedParameters>
+  static internal::Volumetric_distances::Coordinate_function
+  coordinate_function(const Domain& domain, const NamedParameters& np)
+  {
+    if constexpr(internal::has_parameter<NamedParameters, internal_np::barycentric_coordinates_t>)
+      return [domain, function = internal::parameter(np, internal_np::barycentric_coordinates, 0)](
+                 const internal::Vec3& point)
+      {
+        const auto weights = function(Point_3(point[0], point[1], point[2]));
+        internal::Vector result = internal::Vector::Zero(Eigen::Index(domain.number_of_vertices()));
+        auto weight = std::begin(weights);
+        for(const auto vertex : vertices(domain.mesh()))
+        {
+          if(weight == std::end(weights))
+            throw Invalid_argument_error("There are fewer barycentric coordinates than vertices.");
+          // Vertices of a soup that are merged have the same index.
+          result[domain.index(vertex)] += to_double(*weight++);
+        }
+        if(weight != std::end(weights))
+          throw Invalid_argument_error("There are more barycentric coordinates than vertices.");
+        return result;
+      };
+    else
+      return {};
+  }
+
   Domain m_domain;
   std::shared_ptr<const internal::Volumetric_distances> m_distances;
 };

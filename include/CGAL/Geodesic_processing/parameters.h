@@ -70,6 +70,7 @@ namespace CGAL::Geodesic_processing {
   NAME(spreading_weight)                                                                           \
   NAME(smoothing_radius)                                                                           \
   NAME(weights)                                                                                    \
+  NAME(barycentric_coordinates)                                                                    \
   NAME(objective_map)                                                                              \
   NAME(initial_location)                                                                           \
   NAME(do_normalize)                                                                               \

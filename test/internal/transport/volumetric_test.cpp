@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace volumetric_test {
 
@@ -122,6 +123,80 @@ TEST(volumetric, throws_on_several_components)
     p[0] += 5.;
   const Array_surface surface(disjoint_union(tetrahedron(), second_tetrahedron));
   EXPECT_THROW(Volumetric_distances(surface.triangles(), 0), Unsupported_surface_error);
+}
+
+TEST(volumetric, checks_barycentric_coordinates)
+{
+  Triangulation shape = icosphere(0);
+  shape.points.push_back({5., 5., 5.}); // isolated
+  const Array_surface surface(shape);
+  const Surface_arrays& t = surface.t();
+  const Index isolated = surface.vertex(Index(shape.points.size() - 1));
+  const Vector valid = Volumetric_distances(surface.triangles(), 0).coordinates({0.1, 0.2, -0.3});
+  const Vec3 point = {0.1, 0.2, -0.3};
+  // Weights are divided by their sum.
+  const Vector scaled_weights = checked_coordinates(t, point, (1. + 1e-8) * valid);
+  EXPECT_NEAR(scaled_weights.sum(), 1., 1e-15);
+  EXPECT_LT((scaled_weights - valid).lpNorm<Eigen::Infinity>(), 1e-14); // round-off errors
+  const auto expect_rejected = [&](const Vec3& p, const Vector& weights)
+  { EXPECT_THROW(checked_coordinates(t, p, weights), Invalid_argument_error); };
+  expect_rejected(point, 1.01 * valid);
+  expect_rejected(point, Vector::Zero(valid.size()));
+  expect_rejected({0.1, 0.2, -0.2}, valid);
+  expect_rejected(point, valid.head(3));
+  for(const double bad : {std::nan(""), infinity})
+  {
+    Vector weights = valid;
+    weights[surface.vertex(0)] = bad;
+    expect_rejected(point, weights);
+  }
+  Vector at_isolated = valid;
+  at_isolated[isolated] = 1e-3;
+  expect_rejected(point, at_isolated);
+  // At a vertex. Two pairs of opposite vertices have the same mean, so that other weights reproduce
+  // it as well.
+  const Vec3 vertex = surface.point(0);
+  const Vector unit = Vector::Unit(valid.size(), surface.vertex(0));
+  EXPECT_EQ(checked_coordinates(t, vertex, unit), unit);
+  Vector other = unit;
+  double weight = 0.1;
+  for(Index i = 1; i < 12; ++i)
+    for(Index j = 1; j < i; ++j)
+      if(norm(surface.point(i) + surface.point(j)) < 1e-15 && std::abs(weight) == 0.1)
+      {
+        other[surface.vertex(i)] = other[surface.vertex(j)] = weight;
+        weight = weight > 0. ? -0.1 : 0.;
+      }
+  ASSERT_NEAR(other.sum(), 1., 1e-15);
+  ASSERT_NEAR(other.lpNorm<1>(), 1.4, 1e-15);
+  expect_rejected(vertex, other);
+}
+
+TEST(volumetric, coordinate_function_replaces_mean_value_coordinates)
+{
+  const Array_surface surface(icosphere(2));
+  const Volumetric_distances expected(surface.triangles(), 0);
+  std::size_t calls = 0;
+  const Volumetric_distances found(surface.triangles(), 0,
+                                   [&](const Vec3& point)
+                                   {
+                                     ++calls;
+                                     return expected.coordinates(point);
+                                   });
+  const Vec3 p = {0.1, 0.2, -0.3}, q = {0.5, -0.2, 0.1};
+  const Transport_result a = expected.cost(p, q, {}), b = found.cost(p, q, {});
+  EXPECT_EQ(calls, 2u);
+  EXPECT_NEAR(a.lower, b.lower, 1e-12); // the sum of the weights is one up to round-off errors
+  EXPECT_NEAR(a.upper, b.upper, 1e-12);
+  const auto to = std::vector<Vec3>{q, {0.3, 0.3, 0.3}, {-0.2, 0.6, 0.1}};
+  Volumetric_options options;
+  options.number_of_threads = 2;
+  const auto many = found.one_to_many(p, to, options);
+  for(std::size_t i = 0; i < to.size(); ++i)
+    EXPECT_NEAR(many[i].upper, expected.one_to_many(p, to, {})[i].upper, 1e-9);
+  EXPECT_NEAR(found.euclidean_bound(p, q, found.coordinates(q) - found.coordinates(p)), norm(q - p),
+              1e-12);
+  EXPECT_THROW(found.coordinates({infinity, 0., 0.}), Invalid_argument_error);
 }
 
 } // namespace volumetric_test

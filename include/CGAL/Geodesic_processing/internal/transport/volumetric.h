@@ -38,6 +38,14 @@ struct Volumetric_path
   unsigned number_of_solutions = 0;
 };
 
+// Checks barycentric coordinates of a point: #vertices finite weights that sum to 1. The weighted
+// sum of the vertices is the point. At a vertex its weight is 1 and all others are 0. Vertices
+// without triangles have weight 0. Returns the weights divided by their sum. The tolerance is 1e-6,
+// times the extent of the mesh and the sum of the absolute weights. Throws Invalid_argument_error if
+// a property does not hold.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Vector checked_coordinates(const Surface_arrays& triangles, const Vec3& point, Vector weights);
+
 // Computes transport distances between points in space, inside or outside of a closed mesh
 // (Solomon, Rustamov, Guibas and Butscher 2014, section 6). The distance is the cost of
 // transporting the mean value coordinates of one point, as masses at the vertices, to those of the
@@ -45,17 +53,26 @@ struct Volumetric_path
 //
 // The Euclidean distance is a lower bound: mean value coordinates reproduce linear functions, and
 // the linear function along the segment is a feasible potential.
+//
+// Other barycentric coordinates can replace mean value coordinates. They are checked at each point.
 class CGAL_GEODESIC_PROCESSING_EXPORT Volumetric_distances
 {
 public:
+  // Returns a weight for each vertex at a point in the input coordinates. One thread at a time calls
+  // it.
+  using Coordinate_function = std::function<Vector(const Vec3&)>;
+
   // refinements  as for Multilevel_transport_solver
+  //
+  // coordinate_function  empty for mean value coordinates
   //
   // Throws Unsupported_surface_error as Mean_value_coordinates does, or if the mesh has several
   // components. No mass can move between components.
-  Volumetric_distances(std::shared_ptr<const Surface_arrays> triangles, unsigned refinements);
+  Volumetric_distances(std::shared_ptr<const Surface_arrays> triangles, unsigned refinements,
+                       Coordinate_function coordinate_function = {});
 
   // Computes the distance of two points, given in the input coordinates. Throws as
-  // Mean_value_coordinates' operator().
+  // coordinates().
   Transport_result cost(const Vec3& from, const Vec3& to, const Transport_options& options) const;
 
   // Computes bounds of the distances from one point to many. For most points, potentials and flows
@@ -77,7 +94,14 @@ public:
   Volumetric_path path(const Vec3& from, const Vec3& to,
                        unsigned maximum_number_of_solutions) const;
 
-  const Mean_value_coordinates& coordinates() const { return m_coordinates; }
+  // Returns #vertices coordinates of a point. Throws as Mean_value_coordinates' operator(). If there
+  // is a coordinate function, throws Invalid_argument_error as checked_coordinates() instead.
+  Vector coordinates(const Vec3& point) const;
+
+  // Returns a lower bound of the distance, given the difference of the coordinates. It is the
+  // Euclidean distance, of the points that the coordinates reproduce if there is a coordinate
+  // function.
+  double euclidean_bound(const Vec3& from, const Vec3& to, const Vector& difference) const;
 
 private:
   double distance_to_surface(const Vec3& point) const;
@@ -87,7 +111,8 @@ private:
   Vec3 potential_gradient(const Vector& potential, const Vec3& point, double step) const;
 
   std::shared_ptr<const Surface_arrays> m_triangles;
-  Mean_value_coordinates m_coordinates;
+  Mean_value_coordinates m_mean_value_coordinates;
+  Coordinate_function m_coordinate_function; // serialized; empty for mean value coordinates
   Multilevel_transport_solver m_transport_solver;
   Triangle_tree m_tree;
 };
