@@ -25,10 +25,6 @@ using Row = Eigen::RowVector2d;
 // reproduced to within 1e-6.
 constexpr double regularization = 1e-9;
 
-// Number of steps of the rigid fit. On scans its energy decreases by less than 1 % in the last
-// step.
-constexpr std::size_t number_of_arap_steps = 30;
-
 // The neighbors of a base point, embedded in a plane with this point as the origin: the first two
 // eigenvectors of the Gram matrix of their distances.
 struct Local_chart
@@ -292,8 +288,8 @@ Matrix isomap_embedding(const Base_points& base)
 class Arap_fit
 {
 public:
-  explicit Arap_fit(const std::vector<Local_chart>& charts)
-      : m_charts(charts), m_solver(stiffness_matrix(charts))
+  Arap_fit(const std::vector<Local_chart>& charts, std::size_t number_of_steps)
+      : m_charts(charts), m_solver(stiffness_matrix(charts)), m_number_of_steps(number_of_steps)
   {}
 
   // Returns the positions fitted from an initial embedding, and the remaining energy.
@@ -304,7 +300,7 @@ public:
       mirrored += covariance(i, f).determinant() < 0.;
     if(2 * mirrored > m_charts.size())
       f.col(1) = -f.col(1);
-    for(std::size_t step = 0; step <= number_of_arap_steps; ++step)
+    for(std::size_t step = 0; step <= m_number_of_steps; ++step)
     {
       Matrix rhs = Matrix::Zero(f.rows(), 2);
       energy = 0.;
@@ -330,7 +326,7 @@ public:
           rhs.row(Eigen::Index(i)) -= w * rotated_edge;
         }
       }
-      if(step < number_of_arap_steps)
+      if(step < m_number_of_steps)
         f = m_solver.solve(rhs);
     }
     return f;
@@ -369,6 +365,7 @@ private:
 
   const std::vector<Local_chart>& m_charts;
   Symmetric_solver m_solver;
+  std::size_t m_number_of_steps;
 };
 
 } // namespace
@@ -388,7 +385,8 @@ Matrix classical_scaling(const Matrix& squares)
   return result;
 }
 
-std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbors)
+std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbors,
+                                    const Embedding_options& options)
 {
   if(base.size() < 3)
     return {};
@@ -398,7 +396,7 @@ std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbo
     return {};
   std::vector<Local_chart> local_charts = build_local_charts(base, neighbors);
   orient_consistently(local_charts);
-  const Arap_fit arap(local_charts);
+  const Arap_fit arap(local_charts, options.number_of_rigid_steps);
   double min_energy = infinity;
   Matrix best_positions;
   const auto try_start = [&](const Matrix& start)
@@ -411,8 +409,10 @@ std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbo
       best_positions = f;
     }
   };
-  try_start(fit_metric(local_charts, spectral_embedding(local_charts)));
-  try_start(isomap_embedding(base));
+  if(options.use_lle)
+    try_start(fit_metric(local_charts, spectral_embedding(local_charts)));
+  if(options.use_isomap)
+    try_start(isomap_embedding(base));
   std::vector<Vec2> result(base.size());
   for(Eigen::Index i = 0; i < best_positions.rows(); ++i)
     result[i] = {best_positions(i, 0), best_positions(i, 1)};
@@ -421,14 +421,15 @@ std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbo
 
 Embedded_base_points embed_samples(const Surface_arrays& triangles, const Sampling& sampling,
                                    const Front& front, std::size_t neighbors, bool can_grow,
-                                   const std::function<bool(double)>& callback)
+                                   const std::function<bool(double)>& callback,
+                                   const Embedding_options& options)
 {
   Embedded_base_points result;
   const auto embed = [&]
   {
     result.base = nearest_base_points(triangles, sampling, front,
                                       number_of_nearest_for(result.neighbors), callback);
-    result.positions = embed_base_points(result.base, result.neighbors);
+    result.positions = embed_base_points(result.base, result.neighbors, options);
   };
   result.neighbors = neighbors;
   embed();

@@ -39,6 +39,8 @@ TEST_F(Program, flatten_preserves_a_planar_square)
   // The tolerance of the solver. Measured: 6e-10.
   EXPECT_NEAR(json("info flat.ply")["area"].get<double>(), 1., 1e-8);
   EXPECT_EQ(json("flatten cloud.xyz --base-points 40 -o m.ply")["base_points"], 40);
+  EXPECT_EQ(json("flatten square.ply --start lle --rigid-steps 0 -o f.obj")["flips"], 0);
+  expect_failure("flatten square.ply --start flat", 1, "mds");
   expect_failure("flatten square.ply --method flat", 1, "glle");
   expect_failure("flatten square.ply --base-points 2", 2, "between 3 and 1000");
   expect_failure("flatten cloud.xyz --injective", 2, "needs a mesh");

@@ -12,6 +12,17 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingFlattening
+/// The initial embedding of base points for `geodesic_lle()`, before it is made as rigid as possible.
+enum class Flattening_start
+{
+  best, ///< both are tried, and the result that is closest to rigid is used
+  /// locally linear embedding, after the linear map that fits the distances of neighbors
+  lle,
+  /// classical scaling of the distances along chains of base points
+  mds
+};
+
+/// \ingroup PkgGeodesicProcessingFlattening
 ///
 /// Flattens a patch by geodesic locally linear embedding. \cgalCite{cgal:pc-grfgm-05} It changes
 /// distances between neighbors as little as possible; angles and areas are both distorted in
@@ -66,6 +77,18 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDefault{10. If base points would form disconnected groups, it is increased until
 ///       they are connected}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{flattening_start}
+///     \cgalParamDescription{the initial embedding of the base points}
+///     \cgalParamType{`Flattening_start`}
+///     \cgalParamDefault{`Flattening_start::best`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_rigid_steps}
+///     \cgalParamDescription{the number of steps that make the neighborhoods of the base points as
+///       rigid as possible. If it is 0, the initial embedding is used, with `Flattening_start::lle`
+///       that of \cgalCite{cgal:pc-grfgm-05}}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{30}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{as for `farthest_vertex_sampling()`}
 ///     \cgalParamType{`unsigned`}
@@ -100,6 +123,13 @@ geodesic_lle(const Surface& surface, UVMap uv_map, const NamedParameters& np = N
       internal::parameter(np, internal_np::number_of_neighbors, std::size_t(10));
   if(neighbors < 3)
     throw Invalid_argument_error("The number of neighbors must be at least 3.");
+  const Flattening_start start =
+      internal::parameter(np, internal_np::flattening_start, Flattening_start::best);
+  internal::Embedding_options options;
+  options.use_lle = start != Flattening_start::mds;
+  options.use_isomap = start != Flattening_start::lle;
+  options.number_of_rigid_steps =
+      internal::parameter(np, internal_np::number_of_rigid_steps, options.number_of_rigid_steps);
   return internal::flatten<Method>(
       domain, uv_map, np, internal::suitable_number_of_base_points(*domain.triangles()),
       [&](const auto& triangles, const auto& sampling, const auto& front, const auto& callback)
@@ -107,7 +137,7 @@ geodesic_lle(const Surface& surface, UVMap uv_map, const NamedParameters& np = N
         constexpr bool can_grow =
             !internal::has_parameter<NamedParameters, internal_np::number_of_neighbors_t>;
         const internal::Embedded_base_points found =
-            embed_samples(triangles, sampling, front, neighbors, can_grow, callback);
+            embed_samples(triangles, sampling, front, neighbors, can_grow, callback, options);
         if(found.base.size() == 0)
           return std::vector<internal::Vec2>();
         if(found.positions.empty())

@@ -84,6 +84,8 @@ namespace CGAL::Geodesic_processing {
   NAME(width)                                                                                      \
   NAME(base_points)                                                                                \
   NAME(number_of_base_points)                                                                      \
+  NAME(flattening_start)                                                                           \
+  NAME(number_of_rigid_steps)                                                                      \
   NAME(texture_size)                                                                               \
   NAME(gutter_width)                                                                               \
   NAME(chart_map)                                                                                  \

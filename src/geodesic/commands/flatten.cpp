@@ -24,6 +24,8 @@ struct Flatten_options
 {
   std::string method = "glle";
   std::optional<std::size_t> base_points, neighbors;
+  std::string start = "best";
+  std::size_t rigid_steps = 30;
   bool is_injective = false, draws_plane = false;
 };
 
@@ -37,8 +39,12 @@ void flatten_surface(const Surface_type& surface, const Flatten_options& options
   job.begin_stage("query");
   if(options.method == "glle" || options.method == "mds")
   {
-    const auto np =
-        GP::parameters::random_seed(job.seed()).callback(job.progress_callback("flattening"));
+    const auto np = GP::parameters::random_seed(job.seed())
+                        .callback(job.progress_callback("flattening"))
+                        .flattening_start(options.start == "lle"   ? GP::Flattening_start::lle
+                                          : options.start == "mds" ? GP::Flattening_start::mds
+                                                                   : GP::Flattening_start::best)
+                        .number_of_rigid_steps(options.rigid_steps);
     const auto flatten = [&](const auto& parameters)
     {
       const auto base =
@@ -77,6 +83,8 @@ void flatten_surface(const Surface_type& surface, const Flatten_options& options
 
 void check(const Flatten_options& options)
 {
+  if(options.start != "best" && options.start != "lle" && options.start != "mds")
+    throw Usage_error("--start: '" + options.start + "' is not a start; use best, lle or mds.");
   if(options.method != "glle" && options.method != "mds" && options.method != "lscm" &&
      options.method != "authalic" && options.method != "arap")
     throw Usage_error("--method " + options.method +
@@ -188,6 +196,16 @@ void add_flatten(CLI::App& program)
   command.add("--neighbors", options->neighbors, "K",
               "number of neighbors of each base point of glle (default 10; more if base points "
               "would form disconnected groups)");
+  command
+      .add("--start", options->start, "NAME",
+           "initial embedding of the base points of glle: lle (locally linear), mds (classical "
+           "scaling), or best of both")
+      .shows_default();
+  command
+      .add("--rigid-steps", options->rigid_steps, "N",
+           "number of steps that make the neighborhoods of base points of glle rigid; 0: initial "
+           "embedding")
+      .shows_default();
   command.add_flag("--injective", options->is_injective,
                    "remove inverted faces, then minimize the distortion");
   command.add_flag("--flat", options->draws_plane,

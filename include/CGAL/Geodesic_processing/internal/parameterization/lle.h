@@ -30,6 +30,14 @@ constexpr std::size_t number_of_nearest_for(std::size_t neighbors)
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::MatrixXd classical_scaling(const Eigen::MatrixXd& squares);
 
+// The initial embeddings that are tried, at least one, and the number of steps that make them as
+// rigid as possible. On scans the energy decreases by less than 1 % in the last of 30 steps.
+struct Embedding_options
+{
+  bool use_lle = true, use_isomap = true;
+  std::size_t number_of_rigid_steps = 30;
+};
+
 // Embeds base points in the plane. There are two initial embeddings: locally linear embedding with
 // a linear map fitted to the distances of neighbors, and Isomap. Both are optimized to be as rigid
 // as possible, and the one of lower energy is returned. Both energies are zero for a developable
@@ -39,7 +47,8 @@ Eigen::MatrixXd classical_scaling(const Eigen::MatrixXd& squares);
 // Returns an empty vector if it is still not connected or if there are fewer than three base
 // points.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbors);
+std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbors,
+                                    const Embedding_options& options = {});
 
 // Base points and their images in the plane.
 struct Embedded_base_points
@@ -55,7 +64,8 @@ struct Embedded_base_points
 CGAL_GEODESIC_PROCESSING_EXPORT
 Embedded_base_points embed_samples(const Surface_arrays& triangles, const Sampling& sampling,
                                    const Front& front, std::size_t neighbors, bool can_grow,
-                                   const std::function<bool(double)>& callback = {});
+                                   const std::function<bool(double)>& callback = {},
+                                   const Embedding_options& options = {});
 
 // Extends an embedding of the base points to all vertices. The map is continuous, interpolates the
 // images of the base points, and is linear if the surface is a piece of the plane. Vertices
