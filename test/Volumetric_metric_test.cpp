@@ -244,8 +244,8 @@ TEST(Volumetric_metric, finds_paths_outside)
   EXPECT_LT(length_of_path(path, mesh), 6.);
 }
 
-// A tetrahedron with its barycentric coordinates. The transport distance of two points inside is the
-// cost of moving the differences of the coordinates, and the distance of the surface on it.
+// A tetrahedron with its barycentric coordinates. The transport distance of two points inside is
+// the cost of moving the differences of the coordinates, and the distance of the surface on it.
 struct Tetrahedron
 {
   Mesh mesh;

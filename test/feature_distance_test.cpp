@@ -379,9 +379,9 @@ TEST(Feature_distance, is_infinite_if_unreachable)
   EXPECT_EQ(behind_obstacle[Vertex(4)], infinity);
 }
 
-// The lines x = 0.11 and x = 0.57 receive half of the mass of the square each. Mass moves to the left
-// at x if more of it is on the left of x than arrives there, and the potential has slope one. It is
-// therefore not zero on the second line, unlike the distance.
+// The lines x = 0.11 and x = 0.57 receive half of the mass of the square each. Mass moves to the
+// left at x if more of it is on the left of x than arrives there, and the potential has slope one.
+// It is therefore not zero on the second line, unlike the distance.
 TEST(Feature_distance, with_fixed_masses_is_the_dual_in_an_interval)
 {
   for(const double scale : {1e-6, 1., 1e6})
@@ -403,8 +403,8 @@ TEST(Feature_distance, with_fixed_masses_is_the_dual_in_an_interval)
     {
       const double x = mesh.point(v).x() / scale;
       const double dual = x < 0.5 ? std::abs(x - 0.11) : x < 0.57 ? 0.89 - x : x - 0.25;
-      // The maximum of the potential is that of the vertices, which are up to an edge length of 1/16
-      // from the lines.
+      // The maximum of the potential is that of the vertices, which are up to an edge length of
+      // 1/16 from the lines.
       EXPECT_NEAR(found[v], dual * scale, scale / 16.);
     }
   }

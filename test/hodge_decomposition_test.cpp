@@ -134,7 +134,8 @@ TEST(hodge_decomposition, finds_harmonic_fields)
   }
 }
 
-// The potentials of a field: of its gradient at vertices, and of its rotation at edges and vertices.
+// The potentials of a field: of its gradient at vertices, and of its rotation at edges and
+// vertices.
 template <typename M>
 struct Potentials
 {

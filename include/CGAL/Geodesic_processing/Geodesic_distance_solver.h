@@ -73,9 +73,10 @@ public:
   /// \param np the named parameters of `make_domain()`, and
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{heat_time_step}
-  ///     \cgalParamDescription{the time step of `Heat` in squared mean edge lengths, positive. Larger
-  ///       steps result in smoother and less accurate distances. Its square root is at least w/600
-  ///       and at most 10 w, where the width w is an upper bound of the diameter of all components}
+  ///     \cgalParamDescription{the time step of `Heat` in squared mean edge lengths, positive.
+  ///       Larger steps result in smoother and less accurate distances. Its square root is at least
+  ///       w/600 and at most 10 w, where the width w is an upper bound of the diameter of all
+  ///       components}
   ///     \cgalParamType{`double`}
   ///     \cgalParamDefault{1}
   ///   \cgalParamNEnd

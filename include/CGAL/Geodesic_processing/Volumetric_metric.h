@@ -55,17 +55,17 @@ public:
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{barycentric_coordinates}
   ///     \cgalParamDescription{a function of a point that returns its barycentric coordinates: one
-  ///       weight for each vertex, in the order of `vertices(mesh)`. The weights sum to one, and the
-  ///       weighted sum of the vertices is the point. At a vertex, its weight is one and the others
-  ///       are zero. These properties are checked at each point. One thread at a time calls the
-  ///       function}
-  ///     \cgalParamType{a copyable function object with a parameter of type `Point_3` that returns a
-  ///       range of `double`}
+  ///       weight for each vertex, in the order of `vertices(mesh)`. The weights sum to one, and
+  ///       the weighted sum of the vertices is the point. At a vertex, its weight is one and the
+  ///       others are zero. These properties are checked at each point. One thread at a time calls
+  ///       the function}
+  ///     \cgalParamType{a copyable function object with a parameter of type `Point_3` that returns
+  ///       a range of `double`}
   ///     \cgalParamDefault{mean value coordinates}
-  ///     \cgalParamExtra{If the coordinates at points of an edge or a face are not those of the edge
-  ///       or the face, the distance is not that of the surface. Differences of a point and the
-  ///       weighted sum of up to 10<SUP>-6</SUP> times the extent of the mesh are accepted. Bounds
-  ///       refer to the weighted sum.}
+  ///     \cgalParamExtra{If the coordinates at points of an edge or a face are not those of the
+  ///       edge or the face, the distance is not that of the surface. Differences of a point and
+  ///       the weighted sum of up to 10<SUP>-6</SUP> times the extent of the mesh are accepted.
+  ///       Bounds refer to the weighted sum.}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `Earth_movers_solver`

@@ -76,18 +76,18 @@ Earth_movers_cost write_fixed_mass_distances(const Domain& domain, const Feature
 /// \param np named parameters of `Region_transport_solver` and its `compute()`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{do_fix_masses}
-///     \cgalParamDescription{whether the mass that arrives is distributed uniformly over the feature.
-///       The mass of each component is its area. It has equal masses per length of the polylines of
-///       the component, or at each location if no polyline has a length. The written value is the
-///       maximum of the potential in the component minus the potential. It changes by at most the
-///       distance between two points}
+///     \cgalParamDescription{whether the mass that arrives is distributed uniformly over the
+///       feature. The mass of each component is its area. It has equal masses per length of the
+///       polylines of the component, or at each location if no polyline has a length. The written
+///       value is the maximum of the potential in the component minus the potential. It changes by
+///       at most the distance between two points}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{`capacities` and `spreading_weight` are then not used.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \returns the integral of the distance over all points with a path to the feature, and its bounds;
-///          with fixed masses the cost of the transport to them
+/// \returns the integral of the distance over all points with a path to the feature, and its
+///          bounds; with fixed masses the cost of the transport to them
 /// \throws as `Region_transport_solver` and its `compute()`
 ///
 /// 10 to 25 iterations of O(n<SUP>1.5</SUP>) each.

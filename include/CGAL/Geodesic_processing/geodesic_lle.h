@@ -12,7 +12,8 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingFlattening
-/// The initial embedding of base points for `geodesic_lle()`, before it is made as rigid as possible.
+/// The initial embedding of base points for `geodesic_lle()`, before it is made as rigid as
+/// possible.
 enum class Flattening_start
 {
   best, ///< both are tried, and the result that is closest to rigid is used

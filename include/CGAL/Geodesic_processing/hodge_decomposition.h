@@ -19,8 +19,8 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// Writes the values of halfedges, 3 #triangles numbers, to a map of edges. Both halfedges of an edge
-// have the same value.
+// Writes the values of halfedges, 3 #triangles numbers, to a map of edges. Both halfedges of an
+// edge have the same value.
 template <typename Domain, typename EdgeMap>
 void write_edges(const Domain& domain, const std::vector<double>& values, EdgeMap map)
 {
@@ -48,8 +48,8 @@ void write_edges(const Domain& domain, const std::vector<double>& values, EdgeMa
 /// The gradient field is the gradient of a function on vertices, its potential, which is linear in
 /// each face. The rotation field is the gradient of a function on edges, its potential, rotated by
 /// a right angle counterclockwise. This function is linear in each face and given at the midpoints
-/// of edges, where it is continuous. It is zero along the boundary. On each component, the harmonic fields have dimension 2 genus + max(boundary loops - 1, 0).
-/// \cgalCite{cgal:pp-ivfs-03}
+/// of edges, where it is continuous. It is zero along the boundary. On each component, the harmonic
+/// fields have dimension 2 genus + max(boundary loops - 1, 0). \cgalCite{cgal:pp-ivfs-03}
 ///
 /// \tparam Mesh a model of `FaceListGraph`, or its domain
 /// \tparam Field a model of `ReadablePropertyMap` with faces as keys and vectors as values
@@ -65,7 +65,8 @@ void write_edges(const Domain& domain, const std::vector<double>& values, EdgeMa
 ///   \cgalParamNBegin{gradient_potential_map}
 ///     \cgalParamDescription{receives for each vertex the potential of the gradient field. Its
 ///       integral over each component is zero}
-///     \cgalParamType{a model of `WritablePropertyMap` with vertices as keys and `double` as values}
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices as keys and `double` as
+///       values}
 ///     \cgalParamDefault{nothing is written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{rotation_potential_map}
@@ -77,12 +78,13 @@ void write_edges(const Domain& domain, const std::vector<double>& values, EdgeMa
 ///       the corner minus the value of the third edge.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_rotation_potential_map}
-///     \cgalParamDescription{receives for each vertex the value of a function that is linear in each
-///       face and continuous, as in \cgalCite{cgal:srgb-emd-14}, section 4.1. Among the functions
-///       that are zero along the boundary, its rotated gradient is closest to the field. The
-///       rotation field contains this rotated gradient and is longer in general. The integral over
-///       each component without boundary is zero}
-///     \cgalParamType{a model of `WritablePropertyMap` with vertices as keys and `double` as values}
+///     \cgalParamDescription{receives for each vertex the value of a function that is linear in
+///       each face and continuous, as in \cgalCite{cgal:srgb-emd-14}, section 4.1. Among the
+///       functions that are zero along the boundary, its rotated gradient is closest to the field.
+///       The rotation field contains this rotated gradient and is longer in general. The integral
+///       over each component without boundary is zero}
+///     \cgalParamType{a model of `WritablePropertyMap` with vertices as keys and `double` as
+///       values}
 ///     \cgalParamDefault{nothing is written}
 ///     \cgalParamExtra{This potential takes a third factorization.}
 ///   \cgalParamNEnd

@@ -41,8 +41,8 @@ struct Volumetric_path
 // Checks barycentric coordinates of a point: #vertices finite weights that sum to 1. The weighted
 // sum of the vertices is the point. At a vertex its weight is 1 and all others are 0. Vertices
 // without triangles have weight 0. Returns the weights divided by their sum. The tolerance is 1e-6,
-// times the extent of the mesh and the sum of the absolute weights. Throws Invalid_argument_error if
-// a property does not hold.
+// times the extent of the mesh and the sum of the absolute weights. Throws Invalid_argument_error
+// if a property does not hold.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector checked_coordinates(const Surface_arrays& triangles, const Vec3& point, Vector weights);
 
@@ -58,8 +58,8 @@ Vector checked_coordinates(const Surface_arrays& triangles, const Vec3& point, V
 class CGAL_GEODESIC_PROCESSING_EXPORT Volumetric_distances
 {
 public:
-  // Returns a weight for each vertex at a point in the input coordinates. One thread at a time calls
-  // it.
+  // Returns a weight for each vertex at a point in the input coordinates. One thread at a time
+  // calls it.
   using Coordinate_function = std::function<Vector(const Vec3&)>;
 
   // refinements  as for Multilevel_transport_solver
@@ -94,8 +94,8 @@ public:
   Volumetric_path path(const Vec3& from, const Vec3& to,
                        unsigned maximum_number_of_solutions) const;
 
-  // Returns #vertices coordinates of a point. Throws as Mean_value_coordinates' operator(). If there
-  // is a coordinate function, throws Invalid_argument_error as checked_coordinates() instead.
+  // Returns #vertices coordinates of a point. Throws as Mean_value_coordinates' operator(). If
+  // there is a coordinate function, throws Invalid_argument_error as checked_coordinates() instead.
   Vector coordinates(const Vec3& point) const;
 
   // Returns a lower bound of the distance, given the difference of the coordinates. It is the
