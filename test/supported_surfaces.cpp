@@ -78,6 +78,9 @@ CALL(Geodesic_distance_solver, GP::Geodesic_distance_solver<Plain> solver(surfac
      solver.compute(vertices); solver.distance(location))
 CALL(geodesic_distance_matrix, GP::geodesic_distance_matrix(surface, vertices))
 CALL(sparse_geodesic_distance_matrix, GP::sparse_geodesic_distance_matrix(surface, vertices, 1.))
+CALL(isolines, std::vector<GP::Isoline<Plain>> lines;
+     GP::isolines(surface, T::template map<double>(), std::vector<double>(),
+                  std::back_inserter(lines)))
 CALL(geodesic_path, GP::geodesic_path(surface, location, p))
 CALL(Geodesic_path_finder, GP::Geodesic_path_finder<Plain>{surface}(p, location))
 CALL(shorten_polyline, GP::shorten_polyline(surface, vertices);

@@ -45,6 +45,7 @@
 #include <CGAL/Geodesic_processing/geodesic_voronoi_diagram.h>
 #include <CGAL/Geodesic_processing/hodge_decomposition.h>
 #include <CGAL/Geodesic_processing/is_supported.h>
+#include <CGAL/Geodesic_processing/isolines.h>
 #include <CGAL/Geodesic_processing/karcher_mean.h>
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/logarithmic_map.h>

@@ -41,6 +41,7 @@ namespace CGAL::Geodesic_processing {
   NAME(edge_spacing_map)                                                                           \
   NAME(location_map)                                                                               \
   NAME(edge_path_output)                                                                           \
+  NAME(do_fit_circles)                                                                             \
   NAME(strength)                                                                                   \
   NAME(surfel_path_method)                                                                         \
   NAME(surfel_noise)                                                                               \
