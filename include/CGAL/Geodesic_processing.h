@@ -32,6 +32,7 @@
 #include <CGAL/Geodesic_processing/exponential_map.h>
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
 #include <CGAL/Geodesic_processing/feature_distance.h>
+#include <CGAL/Geodesic_processing/fill_holes.h>
 #include <CGAL/Geodesic_processing/fuzzy_geodesic.h>
 #include <CGAL/Geodesic_processing/geodesic_barycenter.h>
 #include <CGAL/Geodesic_processing/geodesic_base_mesh.h>

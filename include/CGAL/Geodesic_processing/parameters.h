@@ -42,6 +42,10 @@ namespace CGAL::Geodesic_processing {
   NAME(location_map)                                                                               \
   NAME(edge_path_output)                                                                           \
   NAME(do_fit_circles)                                                                             \
+  NAME(maximum_number_of_edges)                                                                    \
+  NAME(maximum_perimeter)                                                                          \
+  NAME(hole_filling_method)                                                                        \
+  NAME(face_output)                                                                                \
   NAME(strength)                                                                                   \
   NAME(surfel_path_method)                                                                         \
   NAME(surfel_noise)                                                                               \

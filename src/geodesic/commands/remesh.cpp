@@ -7,7 +7,6 @@
 #include "app/commands.h"
 #include "commands/speed_options.h"
 #include "io/errors.h"
-#include "repair/fill_holes.h"
 #include "commands/remeshing_options.h"
 
 #include <algorithm>
@@ -52,14 +51,16 @@ std::size_t parse_hole_edges(const std::string& text)
 // Fills holes and reports how many were filled and how many are left open.
 void fill_and_report(Mesh& mesh, std::size_t max_edges, Job& job)
 {
-  const Hole_filling_result holes = fill_holes(mesh, max_edges);
+  const GP::Hole_filling_result holes = GP::fill_holes(
+      mesh,
+      GP::parameters::maximum_number_of_edges(max_edges).callback(job.progress_callback("holes")));
   job.result()["holes_filled"] = holes.number_of_filled;
-  job.result()["holes_left"] = holes.number_of_left;
+  job.result()["holes_left"] = holes.number_of_failed;
   job.print_line("holes filled    " + std::to_string(holes.number_of_filled));
-  if(holes.number_of_left > 0)
-    job.print_warning(std::to_string(holes.number_of_left) +
-                      (holes.number_of_left == 1 ? " hole is left open: it has"
-                                                 : " holes are left open: they have") +
+  if(holes.number_of_failed > 0)
+    job.print_warning(std::to_string(holes.number_of_failed) +
+                      (holes.number_of_failed == 1 ? " hole is left open: it has"
+                                                   : " holes are left open: they have") +
                       " too many edges, or no valid triangulation was found");
 }
 
