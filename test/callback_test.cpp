@@ -256,6 +256,10 @@ TEST(Callback, cancels_remeshing)
                               });
   expect_cancellation_of_mesh("semi-regular", [&](Mesh& output, const auto& np)
                               { GP::semi_regular_remeshing(mesh, 20, 1, output, np); });
+  expect_cancellation(
+      "holes", [] { return mesh_of(square(3)); },
+      [](Mesh& output, const auto& np) { GP::fill_holes(output, np); },
+      [](const Mesh& output) { return output.number_of_faces() == 18; });
 }
 
 TEST(Callback, cancels_flattening)

@@ -83,6 +83,7 @@ commands()
 0= sample --help
 0= voronoi --help
 0= segment --help
+0= isolines --help
 0= remesh --help
 0= base --help
 0= semiregular --help
@@ -307,6 +308,10 @@ commands()
 0 fuzzy data/meshes/elephant_2k8.off --from 691 --to 2278 --width 0.06 --by-distances
 0 fuzzy data/points/oni_normals_1k.pwn --from 0 --to 700
 
+0 isolines models/ring.off --source 0 --number 8 -o out.vtp
+0 isolines models/painted.ply --property people --isovalues 0.5,1 -o out.obj
+0 isolines data/meshes/elephant_2k8.off --source 691 --method euclidean -o out.ply
+2 isolines data/points/oni_normals_1k.pwn --source 0
 0 streamlines models/ring.off --from 0 --to 200,300 --number 20
 0 streamlines models/painted.ply --from people --to room --normalize --number 30 --as-traced
 0 streamlines data/meshes/pig_468.off --from 0 --to 100,200 --seeds 0,1,2 -o out.ply
@@ -699,7 +704,7 @@ run()
           *" -o "*) ;;
           *matrix) set -- "$@" -o out.mtx ;;
           *atlas) set -- "$@" -o out.obj ;;
-          *path | *streamlines) set -- "$@" -o out.vtp ;;
+          *path | *isolines | *streamlines) set -- "$@" -o out.vtp ;;
           *) set -- "$@" -o out.ply ;;
         esac
         set -- "$@" --values values.txt --json

@@ -90,9 +90,9 @@ inline Hole_triangles triangulate(const Hole_boundary& hole, Hole_filling_method
 ///
 /// A hole is a boundary cycle. A cycle that visits a vertex several times counts as several holes.
 /// Parts of the mesh that only touch at a vertex have separate holes. After these are filled, the
-/// vertex has several closed fans of faces, and circulators visit one of them. The outer boundary of
-/// an open surface is also a hole: use `maximum_number_of_edges` or `maximum_perimeter` to keep it
-/// open.
+/// vertex has several closed fans of faces, and circulators visit one of them. The outer boundary
+/// of an open surface is also a hole: use `maximum_number_of_edges` or `maximum_perimeter` to keep
+/// it open.
 ///
 /// If the method of the named parameter `hole_filling_method` has no valid triangulation of a hole,
 /// the other method is used. A triangulation is valid if its triangles have an area and contain no
@@ -106,9 +106,9 @@ inline Hole_triangles triangulate(const Hole_boundary& hole, Hole_filling_method
 /// 5,000 edges are not filled. Small holes are filled first, and the total number of steps is
 /// limited: it is sufficient if half of the vertices are on typical boundary cycles.
 ///
-/// <b>Unfolding.</b> The boundary is unfolded to a polygon in the plane, with the lengths of its edges
-/// and the angles between them. If the polygon does not close, the missing angle and the gap are
-/// distributed. The hole is filled by the constrained Delaunay triangulation of the polygon
+/// <b>Unfolding.</b> The boundary is unfolded to a polygon in the plane, with the lengths of its
+/// edges and the angles between them. If the polygon does not close, the missing angle and the gap
+/// are distributed. The hole is filled by the constrained Delaunay triangulation of the polygon
 /// \cgalCite{cgal:pc-grfp-03}. There is no valid triangulation if the polygon intersects itself.
 ///
 /// \tparam TriangleMesh a model of `HalfedgeListGraph` and `MutableFaceGraph`
@@ -151,8 +151,8 @@ inline Hole_triangles triangulate(const Hole_boundary& hole, Hole_filling_method
 /// \pre The mesh is valid: `CGAL::is_valid_polygon_mesh(mesh)`. The property map has a value for
 ///      each vertex.
 /// \returns the numbers of holes and of new faces
-/// \throws Invalid_argument_error if a coordinate at the boundary of a hole is not finite, or if the
-///         maximum perimeter is negative or not a number
+/// \throws Invalid_argument_error if a coordinate at the boundary of a hole is not finite, or if
+///         the maximum perimeter is negative or not a number
 /// \throws Cancelled if the callback returns false; the mesh is unchanged
 ///
 /// O(n) for n vertices, and for each hole of k edges O(k<SUP>3</SUP>), or O(k log k) for unfolding.

@@ -21,9 +21,9 @@ namespace CGAL::Geodesic_processing {
 /// \ingroup PkgGeodesicProcessingPaths
 /// A line of constant value on a mesh.
 ///
-/// Larger values are on the left, seen from outside. If the line is closed, its last location equals
-/// the first one. Otherwise its ends are on the boundary, or on edges of faces with a vertex whose
-/// value is infinite or not a number.
+/// Larger values are on the left, seen from outside. If the line is closed, its last location
+/// equals the first one. Otherwise its ends are on the boundary, or on edges of faces with a vertex
+/// whose value is infinite or not a number.
 template <typename Surface>
 struct Isoline
 {
@@ -39,8 +39,8 @@ struct Isoline
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// Computes the isolines of a function on a mesh, for example the offset curves of a point or of the
-/// boundary from the result of `geodesic_distances()` \cgalCite{cgal:pc-grfp-03}.
+/// Computes the isolines of a function on a mesh, for example the offset curves of a point or of
+/// the boundary from the result of `geodesic_distances()` \cgalCite{cgal:pc-grfp-03}.
 ///
 /// The function is given at the vertices and is linear in each face. Isolines are maximal: they are
 /// closed or end on the boundary, or on edges of faces that have a vertex without a finite value.
@@ -48,10 +48,10 @@ struct Isoline
 /// - A face with a vertex below the isovalue and another vertex that is not below it is crossed by
 ///   exactly one isoline. Other faces are not crossed.
 /// - The interior of an edge is crossed at most once.
-/// - Isolines do not cross each other. If all values are finite, they are the boundary of the set of
-///   points above the isovalue, without the part that is on the boundary of the mesh.
-/// - If no vertex has the isovalue, isolines have no point in common. Otherwise, isolines can meet in
-///   such vertices and run along the edges between them.
+/// - Isolines do not cross each other. If all values are finite, they are the boundary of the set
+///   of points above the isovalue, without the part that is on the boundary of the mesh.
+/// - If no vertex has the isovalue, isolines have no point in common. Otherwise, isolines can meet
+///   in such vertices and run along the edges between them.
 /// - If the value of a vertex is the isovalue and all adjacent vertices are below it, the set of
 ///   points above the isovalue is this vertex, and it has no isoline.
 ///

@@ -13,6 +13,7 @@ namespace program {
 // selects it. Failures are thrown as the errors of errors.h or of the library.
 void add_info(CLI::App& program);
 void add_distance(CLI::App& program);
+void add_isolines(CLI::App& program);
 void add_path(CLI::App& program);
 void add_logmap(CLI::App& program);
 void add_decal(CLI::App& program);

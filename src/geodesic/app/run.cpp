@@ -42,6 +42,7 @@ struct Named_command
 constexpr Named_command commands[] = {
     {"info", add_info},
     {"distance", add_distance},
+    {"isolines", add_isolines},
     {"path", add_path},
     {"logmap", add_logmap},
     {"decal", add_decal},

@@ -194,8 +194,8 @@ void link_boundaries(const std::vector<Hole_cycle<TriangleMesh>>& filled, Triang
   }
 }
 
-// Adds faces to a hole. Calls f with each of them. The boundary that remains at its vertices must be
-// linked afterwards.
+// Adds faces to a hole. Calls f with each of them. The boundary that remains at its vertices must
+// be linked afterwards.
 template <typename TriangleMesh, typename Function>
 void add_hole_faces(const Hole_cycle<TriangleMesh>& hole, const Hole_triangles& triangles,
                     TriangleMesh& mesh, const Function& f)

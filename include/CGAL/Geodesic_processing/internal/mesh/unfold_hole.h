@@ -13,8 +13,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Unfolds a boundary cycle to a polygon in the plane that preserves the lengths of its edges and
 // the angles between them (Peyre and Cohen, Geodesic Remeshing Using Front Propagation, 2003,
-// section 3.2). If the polygon does not close, the missing angle and then the gap are distributed in
-// proportion to the lengths. The boundary of a planar hole is preserved up to round-off errors.
+// section 3.2). If the polygon does not close, the missing angle and then the gap are distributed
+// in proportion to the lengths. The boundary of a planar hole is preserved up to round-off errors.
 // Returns an empty vector if an edge has no length or if the boundary encloses no area. O(n).
 //
 // points: at least three, counterclockwise around the hole
@@ -22,9 +22,9 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<std::array<double, 2>>
 unfold_boundary(const std::vector<std::array<double, 3>>& points);
 
-// Triangulates a hole by the constrained Delaunay triangulation of its unfolded boundary. Returns an
-// empty vector if the unfolded boundary intersects itself, or if the triangles would be degenerate
-// in space or have an existing edge. O(n log n) for typical boundaries of n edges.
+// Triangulates a hole by the constrained Delaunay triangulation of its unfolded boundary. Returns
+// an empty vector if the unfolded boundary intersects itself, or if the triangles would be
+// degenerate in space or have an existing edge. O(n log n) for typical boundaries of n edges.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Hole_triangles triangulate_unfolded_hole(const Hole_boundary& hole);
 

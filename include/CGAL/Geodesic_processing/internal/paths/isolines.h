@@ -34,8 +34,8 @@ enum class Edge_interpolation
 // edge on which an isoline enters it, and one on which it leaves it, or none. The isolines of a
 // level visit each triangle whose smallest value is below the level and whose largest value is not
 // below it exactly once, and cross each edge at most once. They end at boundary edges and at
-// triangles with an infinite value or NaN. Larger values are on the left. Crossings that coincide at
-// a vertex are merged, and isolines that shrink to a vertex are omitted.
+// triangles with an infinite value or NaN. Larger values are on the left. Crossings that coincide
+// at a vertex are merged, and isolines that shrink to a vertex are omitted.
 //
 // values: #vertices, may be infinite or NaN
 // levels: any number of values, finite, in any order
