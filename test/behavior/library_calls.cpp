@@ -520,6 +520,32 @@ void polyline()
     print("point", p);
 }
 
+void isolines_and_holes(Mesh mesh)
+{
+  section = "isolines";
+  auto distance = mesh.add_property_map<Vertex, double>("v:source_distance").first;
+  GP::geodesic_distances(mesh, Vertex(3), distance);
+  std::vector<GP::Isoline<Mesh>> lines;
+  GP::isolines(mesh, distance, std::vector<double>{0.2, 0.4}, std::back_inserter(lines),
+               params::do_fit_circles(true));
+  for(const auto& line : lines)
+  {
+    print("closed", int(line.is_closed));
+    for(const Point& p : line.points)
+      print("point", p);
+  }
+  section = "holes";
+  for(const auto method :
+      {GP::Hole_filling_method::minimal_dihedral_angles, GP::Hole_filling_method::unfolding})
+  {
+    Mesh filled = mesh;
+    print("faces", GP::fill_holes(filled, params::hole_filling_method(method)).number_of_faces);
+    for(const Face f : filled.faces())
+      for(const Vertex v : filled.vertices_around_face(filled.halfedge(f)))
+        print("corner", std::uint32_t(v));
+  }
+}
+
 void wavelets(Mesh mesh)
 {
   section = "wavelets";
@@ -670,6 +696,7 @@ int main()
   curvatures(sphere, ellipsoid(1000, 0.));
   transport_metric(small_sphere);
   streamlines(sheet);
+  isolines_and_holes(sheet);
   region(sheet);
   barycenters(sphere);
   volumes(small_sphere);
