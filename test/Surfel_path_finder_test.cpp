@@ -368,6 +368,28 @@ TEST(Surfel_path_finder, is_robust_to_strong_noise)
   }
 }
 
+TEST(Surfel_path_finder, returns_minimizers_if_guarantees_are_not_enforced)
+{
+  const Cloud sphere = octahedron_sphere(4);
+  // The radius is the distance of the 8th neighbor divided by the square root of two.
+  const Point_set points =
+      point_set(with_noise(sphere, std::vector<double>(sphere.size(), 0.11), 1., 1));
+  const auto np = GP::parameters::surfel_noise(GP::Surfel_noise::kept)
+                      .surfel_path_method(GP::Surfel_path_method::projected_planes);
+  GP::Surfel_path_finder<Point_set> enforced(points, np),
+      minimizing(points, np.do_enforce_guarantees(false));
+  std::size_t number_of_longer_paths = 0;
+  for(std::size_t to = 100; to < sphere.size(); to += 90)
+  {
+    const auto from_surfel = *points.begin(), to_surfel = *(points.begin() + to);
+    const auto path = enforced(from_surfel, to_surfel);
+    EXPECT_LE(path.front_distance, path.initial_length * (1. + round_off));
+    const auto minimizer = minimizing(from_surfel, to_surfel);
+    number_of_longer_paths += minimizer.front_distance > minimizer.initial_length;
+  }
+  EXPECT_GT(number_of_longer_paths, 0u); // planes fitted to few surfels follow the noise
+}
+
 TEST(Surfel_path_finder, copies_share_fitted_cloud)
 {
   const Surfels surfels = sphere_surfels(2);

@@ -57,7 +57,7 @@ using Geodesic_path = std::conditional_t<internal::Is_cloud<Surface>::value, Sur
 /// \cgalCite{cgal:rdsk-asg-06}. The number of control points increases from level to level. The
 /// surface is fitted to the surfels along the path and ends at 1.5 radii from the last surfel.
 ///
-/// Paths neither cross gaps nor change to another sheet. The distance of each point of a path to
+/// If `do_enforce_guarantees` is `true`, paths neither cross gaps nor change to another sheet. The distance of each point of a path to
 /// the nearest surfel is at most the 95th percentile of the local spacing. The percentile is
 /// computed for the 60 surfels nearest to the point. The spacing of a surfel is the distance to
 /// its sixth nearest surfel. The surfels of consecutive points are joined by short graph paths.
@@ -140,6 +140,13 @@ public:
   ///       midpoints in the energy}
   ///     \cgalParamType{`double`}
   ///     \cgalParamDefault{0.7}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{do_enforce_guarantees}
+  ///     \cgalParamDescription{whether a path is changed or replaced if it is longer than the
+  ///       initial path, crosses a gap or changes to another sheet. If `false`, the path is the
+  ///       minimizer of the energy. Use it to compare methods}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{number_of_threads}
   ///     \cgalParamDescription{the number of threads}
@@ -304,6 +311,8 @@ Cloud_path_options cloud_path_options(const NamedParameters& np)
   result.noise = parameter(np, internal_np::surfel_noise, result.noise);
   result.search = parameter(np, internal_np::surfel_search, result.search);
   result.path = path_options(np);
+  result.do_enforce_guarantees =
+      parameter(np, internal_np::do_enforce_guarantees, result.do_enforce_guarantees);
   return result;
 }
 

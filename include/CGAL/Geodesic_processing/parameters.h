@@ -54,6 +54,7 @@ namespace CGAL::Geodesic_processing {
   NAME(number_of_control_points)                                                                   \
   NAME(node_weight)                                                                                \
   NAME(segment_weight)                                                                             \
+  NAME(do_enforce_guarantees)                                                                      \
   NAME(outlier_percentage)                                                                         \
   NAME(number_of_neighbors)                                                                        \
   NAME(stencil_length)                                                                             \

@@ -179,6 +179,43 @@ TEST(Cloud_path_finder, is_robust_to_noise)
   EXPECT_LT(sum / 20., 2e-4); // the benchmark measures 1.3e-5 with four times as many surfels
 }
 
+TEST(Cloud_path_finder, minimizes_energy_if_guarantees_are_not_enforced)
+{
+  const Cloud square = square_cloud(30);
+  const Cloud noisy = with_noise(square, std::vector<double>(square.size(), 1. / 29.), 1., 3);
+  std::vector<double> total_length;
+  for(const auto method : {Surfel_path_method::projected_planes, Surfel_path_method::disks})
+  {
+    Cloud_path_options options = make_options(method, Surfel_noise::kept);
+    Finder enforced(noisy, options);
+    options.do_enforce_guarantees = false;
+    Finder minimizing(noisy, options);
+    std::size_t number_of_longer_paths = 0;
+    total_length.push_back(0.);
+    for(std::size_t to = 400; to < square.size(); to += 97)
+    {
+      const Cloud_path found = minimizing(0, to), path = enforced(0, to);
+      EXPECT_EQ(found.initial_path, path.initial_path);
+      EXPECT_LE(path.path.length, path.initial_length * (1. + round_off));
+      expect_energy_decreases(found);
+      // The same minimization, started from the initial path.
+      const Surfel_cloud& cloud = minimizing.fitted_cloud().cloud();
+      std::vector<Projection> chain;
+      for(const Index v : found.initial_path)
+        chain.push_back({cloud.point[v], cloud.normal[v], {0., 0., 0.}, v});
+      Path_options path_options = minimizing.fitted_cloud().options().path;
+      path_options.min_spacing = 0.5 * cloud.radius[found.initial_path.front()];
+      EXPECT_EQ(found.path.length,
+                shorten_path(minimizing.fitted_cloud().surface(), path_options, chain).length);
+      number_of_longer_paths += found.path.length > found.initial_length;
+      total_length.back() += found.path.length;
+    }
+    EXPECT_GT(number_of_longer_paths, 0u);
+  }
+  // The energy of the disks is less sensitive to noise than the projection to planes.
+  EXPECT_LT(total_length[1], total_length[0]);
+}
+
 TEST(Cloud_path_finder, is_robust_to_outliers)
 {
   // On a sphere with 5 % of outliers, without noise or with a little noise that is kept.
