@@ -30,8 +30,8 @@ for argument in "$@"; do
 done
 [ ${#programs[@]} -gt 0 ] ||
   programs=(accuracy error_distribution speed soups exact sampling remeshing cloud_errors surfels
-            logmap decal flattening base wavelets transport transport_bounds transport_family
-            transport_claims regions flows barycenters means volumes)
+            surfel_scans logmap decal flattening base wavelets transport transport_bounds
+            transport_family transport_claims regions flows barycenters means volumes)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \

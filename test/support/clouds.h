@@ -202,9 +202,9 @@ inline Cloud with_outliers(Cloud cloud, const Cloud& clean, const std::vector<do
   return cloud;
 }
 
-// The unit square as measured by a laser stripe scanner: n stripes of m points. Each point has an
-// error of its own, an error of its stripe, and an error from the pixels of the camera, in total
-// about a tenth of the spacing. Normals are estimated. Seed 0 yields the exact square.
+// A simulated scan of the unit square by a laser stripe scanner: n stripes of m points. Each point
+// has an error of its own, an error of its stripe, and an error from the pixels of the camera, in
+// total about a tenth of the spacing. Normals are estimated. Seed 0 yields the exact square.
 inline Cloud scanned_square(std::size_t n, std::size_t m, unsigned seed)
 {
   const double spacing = 1. / double(n - 1);
