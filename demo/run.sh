@@ -465,6 +465,8 @@ program damaged_soup "$animal" $build/damaged_soup.ply
 program mesh_vs_cloud "$animal" $build/cloud.ply
 program voronoi_areas "$bear" $build/voronoi_areas.ply
 program path_queries "$animal"
+property=path program noisy_cloud_paths "$scan" 0 2500 $build/noisy_cloud_paths.ply
+property=none program path_energy "$bunny" 1500 100 $build/path_energy.ply
 program neighborhood_queries "$animal"
 program remeshing "$animal" $build/remeshed.off
 property=coordinate program barycentric_isolines "$animal" 100 $build/barycentric_isolines.ply
