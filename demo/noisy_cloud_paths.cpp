@@ -146,7 +146,7 @@ int main(int argc, char* argv[])
   // that all lengths can be compared.
   std::mt19937 random(1);
   Cloud noisy(true);
-  for(const Cloud::Index i : cloud)
+  for(const Cloud::Index& i : cloud)
   {
     const double offset = i == from || i == to ? 0. : clean_finder.radius(i);
     const auto [point, normal] =
@@ -163,7 +163,7 @@ int main(int argc, char* argv[])
 
   Drawing drawing;
   // Only the surfels around the path are drawn.
-  for(const Cloud::Index i : noisy)
+  for(const Cloud::Index& i : noisy)
     for(const Point& p : clean_path.points)
       if(CGAL::squared_distance(noisy.point(i), p) < std::pow(0.25 * distance, 2))
       {
@@ -190,7 +190,7 @@ int main(int argc, char* argv[])
     if(number == 0.)
     {
       std::vector<Point> chain;
-      for(const Cloud::Index i : path.initial_path)
+      for(const Cloud::Index& i : path.initial_path)
         chain.push_back(noisy.point(i));
       add(chain, path.initial_length, "initial path");
     }
