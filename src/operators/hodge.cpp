@@ -70,13 +70,13 @@ Hodge_solver::Hodge_solver(const Surface_arrays& triangles, Operators operators)
 Hodge_components Hodge_solver::decompose(const Field& field) const
 {
   Hodge_components result;
-  result.gradient_potential =
-      normalized(m_operators, m_vertex_solver.solve(minus_divergence(m_operators, field)), false);
-  result.gradient = gradient(m_operators, result.gradient_potential);
-  const Vector edge_potential = normalized(
-      m_edge_operators,
-      m_edge_solver.solve(minus_divergence(m_edge_operators, rotated_right(field))), true);
+  Vector potential = m_vertex_solver.solve(minus_divergence(m_operators, field));
+  result.gradient = gradient(m_operators, potential);
+  result.gradient_potential = normalized(m_operators, std::move(potential), false);
+  Vector edge_potential =
+      m_edge_solver.solve(minus_divergence(m_edge_operators, rotated_right(field)));
   result.rotation = rotated_left(gradient(m_edge_operators, edge_potential));
+  edge_potential = normalized(m_edge_operators, std::move(edge_potential), true);
   for(const Index edge : m_edge_operators.corner)
     result.rotation_potential.push_back(edge_potential[edge]);
   result.harmonic = field;
@@ -169,9 +169,9 @@ Surfel_field_components gradient_and_remainder(const Surface_arrays& cloud, std:
     planar[f] =
         in_plane(cloud, f, (1. / 3.) * (mean[corner[0]] + mean[corner[1]] + mean[corner[2]]));
   }
-  const Vector potential =
-      normalized(o, Poisson_solver(o).solve(minus_divergence(o, planar)), false);
+  Vector potential = Poisson_solver(o).solve(minus_divergence(o, planar));
   const Field gradient_field = gradient(o, potential);
+  potential = normalized(o, std::move(potential), false);
 
   Surfel_field_components result;
   std::vector<Vec3> sum(field.size(), Vec3{0., 0., 0.});
