@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Measures the distortion and the time of flattenings, compared with CGAL's conformal, authalic and
-// as-rigid-as-possible maps. Also measures texture atlases.
+// as-rigid-as-possible maps. Also measures texture atlases, both starts of the embedding, and the
+// tables of Peyre and Cohen 2005. The argument --paper selects the latter two.
 #include <CGAL/Geodesic_processing.h>
 
+#include "Paper_embedding.h"
 #include "models.h"
 #include "report.h"
 
@@ -20,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -179,6 +182,200 @@ void add_base_point_row(Table& table, Distortion_counts& counts, const std::stri
   table.add(row);
 }
 
+// The patches of the tables.
+const char* const patches[] = {"alligator_3k",
+                               "bff_face_17k",
+                               "bff_maze_6k",
+                               "camelhead_11k",
+                               "cylinder_locally_refined_8k",
+                               "disk_5k",
+                               "hemisphere_2k",
+                               "mannequin_devil_13k",
+                               "mushroom_2k",
+                               "nefertiti_299",
+                               "patch_01_735",
+                               "terrain_st_helens_149k",
+                               "three_peaks_2k"};
+
+std::vector<UV> images(const Mesh& mesh, UV_map uv)
+{
+  std::vector<UV> result;
+  for(const Vertex v : mesh.vertices())
+    result.push_back(uv[v]);
+  return result;
+}
+
+// Counts the starts of geodesic_lle() that result in less energy, and compares both starts with
+// locally linear embedding alone and with the formulas as printed in the paper.
+void print_starts(bool is_quick)
+{
+  Table table({"Dirichlet energy, flips", "better start", "lle", "mds", "lle alone",
+               "centered, interpolated", "centered, Nystrom", "printed, interpolated",
+               "printed, Nystrom"});
+  std::map<std::string, std::size_t> wins;
+  for(const std::string name : patches)
+  {
+    auto mesh = load_model(name);
+    if(!mesh || (is_quick && num_vertices(*mesh) > 4000))
+      continue;
+    const UV_map uv = new_map(*mesh);
+    const auto cell = [&]
+    {
+      const auto found = GP::flattening_distortion(*mesh, uv);
+      return format_significant(found.symmetric_dirichlet) + ", " +
+             std::to_string(found.number_of_flips);
+    };
+    GP::geodesic_lle(*mesh, uv);
+    const std::vector<UV> best = images(*mesh, uv);
+    using Start = GP::Flattening_start;
+    std::vector<std::string> cells;
+    std::string winner = "equal";
+    for(const Start start : {Start::lle, Start::mds})
+    {
+      GP::geodesic_lle(*mesh, uv, GP::parameters::flattening_start(start));
+      cells.push_back(cell());
+      if(images(*mesh, uv) == best)
+        winner = start == Start::lle ? "lle" : "mds";
+    }
+    ++wins[winner];
+    GP::geodesic_lle(
+        *mesh, uv,
+        GP::parameters::flattening_start(Start::lle).number_of_rigid_steps(std::size_t(0)));
+    cells.push_back(cell());
+    const GP::Mesh_domain<Mesh> domain(*mesh);
+    for(const bool use_printed_gram : {false, true})
+      for(const bool use_nystrom : {false, true})
+      {
+        const Paper_embedding embedding(domain.triangles(),
+                                        std::min<std::size_t>(200, num_vertices(*mesh)),
+                                        {use_printed_gram, use_nystrom});
+        for(GP::internal::Index i = 0; i < embedding.image().size(); ++i)
+          uv[domain.vertex(i)] = UV(embedding.image()[i][0], embedding.image()[i][1]);
+        cells.push_back(cell());
+      }
+    cells.insert(cells.begin(), {name, winner});
+    table.add(cells);
+  }
+  std::printf(
+      "Starts of geodesic_lle(), and the formulas of Peyre and Cohen with 200 base points\n\n");
+  table.print();
+  std::printf("The start lle has less energy on %zu patches, mds on %zu.\n\n", wins["lle"],
+              wins["mds"]);
+}
+
+// Tables I to III of Peyre and Cohen 2005. The paper's numbers are quoted next to ours; its meshes
+// are other ones, and its machine is not stated.
+
+std::string beside(const std::string& ours, const std::string& paper)
+{
+  return ours + " (" + paper + ")";
+}
+
+void print_first_paper_table()
+{
+  Table first({"table I: seconds (paper)", "vertices", "fast marching", "sampling, 200",
+               "Lloyd step", "mds", "glle"});
+  if(auto mesh = load_model("camelhead_11k"))
+  {
+    const UV_map uv = new_map(*mesh);
+    const auto distance = mesh->add_property_map<Vertex, double>("v:distance").first;
+    const auto label = mesh->add_property_map<Mesh::Face_index, std::size_t>("f:label").first;
+    const auto seconds = [](const auto& run) { return format_fixed(cpu_seconds(run), 2); };
+    std::vector<Vertex> samples;
+    const auto tessellate = [&](unsigned steps)
+    {
+      return cpu_seconds(
+          [&]
+          {
+            GP::geodesic_centroidal_tessellation(
+                *mesh, 200, label, GP::parameters::maximum_number_of_iterations(steps));
+          });
+    };
+    first.add(
+        {"camelhead_11k (10k)", std::to_string(num_vertices(*mesh)),
+         beside(seconds([&]
+                        { GP::geodesic_distances<GP::Fast_marching>(*mesh, Vertex(0), distance); }),
+                "2"),
+         beside(seconds(
+                    [&] {
+                      GP::farthest_vertex_sampling<GP::Fast_marching>(*mesh, 200,
+                                                                      std::back_inserter(samples));
+                    }),
+                "10"),
+         beside(format_fixed((tessellate(5) - tessellate(1)) / 4., 2), "6"),
+         beside(seconds([&] { GP::geodesic_mds(*mesh, uv); }), "55"),
+         beside(seconds([&] { GP::geodesic_lle(*mesh, uv); }), "28")});
+  }
+  first.print();
+}
+
+void print_second_paper_table(bool is_quick)
+{
+  Table second({"table II: seconds (paper)", "vertices", "mds", "conformal", "glle"});
+  const auto add_times =
+      [&](const std::string& name, Mesh mesh, const std::array<std::string, 3>& paper)
+  {
+    const UV_map uv = new_map(mesh);
+    second.add(
+        {name, std::to_string(num_vertices(mesh)),
+         beside(format_fixed(cpu_seconds([&] { GP::geodesic_mds(mesh, uv); }), 2), paper[0]),
+         beside(format_fixed(
+                    cpu_seconds([&] { parameterize(mesh, uv, SMP::LSCM_parameterizer_3<Mesh>()); }),
+                    2),
+                paper[1]),
+         beside(format_fixed(cpu_seconds([&] { GP::geodesic_lle(mesh, uv); }), 2), paper[2])});
+  };
+  // The first number is hardly legible in the paper's text.
+  add_times("square (1,000)", jittered_square(32), {"8 or 18", "3", "5"});
+  if(auto mesh = load_model("camelhead_11k"))
+    add_times("camelhead_11k (10,000)", *mesh, {"55", "25", "28"});
+  if(!is_quick)
+  {
+    add_times("square (100,000)", jittered_square(317), {"440", "210", "150"});
+    if(auto mesh = load_model("terrain_st_helens_149k"))
+      add_times("terrain, refined once (700,000)", refined(*mesh), {"2,160", "1,320", "740"});
+  }
+  second.print();
+}
+
+void print_third_paper_table(bool is_quick)
+{
+  Table third({"table III: Ec, Ea (paper)", "conformal", "authalic", "mds", "glle", "lle alone"});
+  const auto add_distortion = [&](const std::string& name, const std::array<std::string, 4>& paper)
+  {
+    auto mesh = load_model(name);
+    if(!mesh || (is_quick && num_vertices(*mesh) > 4000))
+      return;
+    const UV_map uv = new_map(*mesh);
+    const auto cell = [&](const std::string& quoted)
+    {
+      const auto found = GP::flattening_distortion(*mesh, uv);
+      return beside(format_significant(found.conformal) + ", " + format_significant(found.authalic),
+                    quoted);
+    };
+    std::vector<std::string> row = {name};
+    row.push_back(parameterize(*mesh, uv, SMP::LSCM_parameterizer_3<Mesh>()) ? cell(paper[0])
+                                                                             : "fails");
+    row.push_back(parameterize(*mesh, uv, SMP::Discrete_authalic_parameterizer_3<Mesh>())
+                      ? cell(paper[1])
+                      : "fails");
+    GP::geodesic_mds(*mesh, uv);
+    row.push_back(cell(paper[2]));
+    GP::geodesic_lle(*mesh, uv);
+    row.push_back(cell(paper[3]));
+    GP::geodesic_lle(*mesh, uv,
+                     GP::parameters::flattening_start(GP::Flattening_start::lle)
+                         .number_of_rigid_steps(std::size_t(0)));
+    row.push_back(cell(paper[3]));
+    third.add(row);
+  };
+  // Heads of increasing curvature, as in the paper.
+  add_distortion("nefertiti_299", {"0.9, 1.2", "1.4, 0.6", "0.8, 0.9", "1.1, 0.9"});
+  add_distortion("bff_face_17k", {"1.5, 3", "3.0, 1.1", "invalid", "1.7, 1.6"});
+  add_distortion("camelhead_11k", {"2.5, 10.4", "8.3, 3.5", "invalid", "6.5, 5.5"});
+  third.print();
+}
+
 void print_distortion(bool is_quick)
 {
   std::printf("Distortion: conformal energy Ec, authalic energy Ea, symmetric Dirichlet energy, "
@@ -187,10 +384,7 @@ void print_distortion(bool is_quick)
   Table base_point_table({"patch: Dirichlet energy", "5 base points", "10", "20", "100",
                           "20, injective", "100, injective"});
   Distortion_counts counts;
-  for(const std::string name :
-      {"alligator_3k", "bff_face_17k", "bff_maze_6k", "camelhead_11k",
-       "cylinder_locally_refined_8k", "disk_5k", "hemisphere_2k", "mannequin_devil_13k",
-       "mushroom_2k", "nefertiti_299", "patch_01_735", "terrain_st_helens_149k", "three_peaks_2k"})
+  for(const std::string name : patches)
   {
     auto mesh = load_model(name);
     if(!mesh || (is_quick && num_vertices(*mesh) > 4000))
@@ -330,7 +524,14 @@ int main(int argc, char** argv)
                        [&](const char* a) { return !std::strcmp(a, option); });
   };
   const bool is_quick = has_option("--quick");
-  print_times(is_quick, has_option("--patient"));
-  print_atlases(is_quick);
-  print_distortion(is_quick);
+  if(!has_option("--paper"))
+  {
+    print_times(is_quick, has_option("--patient"));
+    print_atlases(is_quick);
+    print_distortion(is_quick);
+  }
+  print_starts(is_quick);
+  print_first_paper_table();
+  print_second_paper_table(is_quick);
+  print_third_paper_table(is_quick);
 }
