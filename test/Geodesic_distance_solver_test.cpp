@@ -360,7 +360,6 @@ TEST(Default_geodesic_distance_solver, is_the_euclidean_front_on_clouds)
   front.compute(std::size_t(5));
   for(std::size_t i = 0; i < cloud.size(); ++i)
     EXPECT_EQ(solver.distance(i), front.distance(i));
-  EXPECT_THROW(solver.shortest_paths(std::size_t(7)), GP::Unsupported_surface_error);
 }
 
 TYPED_TEST(Geodesic_distance_solver, distances_of_ranges_match_single_ones)

@@ -55,6 +55,8 @@ void call(Mesh& mesh, Cloud& cloud)
   GP::geodesic_distances(cloud, *cloud.begin(), numbers);
   // REASON: The values of an output map must be constructible from the results
   GP::geodesic_distances(mesh, v, mesh.add_property_map<Mesh::Vertex_index, std::string>().first);
+  // REASON: This query requires the method Exact, which needs a mesh
+  GP::Geodesic_distance_solver<Cloud>(cloud).lower(*cloud.begin());
   // REASON: karcher_mean() does not support speeds
   GP::karcher_mean(mesh, v, GP::parameters::speed_map(distances));
   // REASON: A tangent vector has two components
