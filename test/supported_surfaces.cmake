@@ -50,5 +50,5 @@ if(CALLS STREQUAL accepted)
 else()
   expect_rejected(supported_surfaces.cpp "[ED]S\\([A-Za-z_]+,[^\"]*\"([^\"]+)\""
                   ../include/CGAL/Geodesic_processing/is_supported.h 12)
-  expect_rejected(rejected_calls.cpp "// REASON: ([^\n]+)" rejected_calls.cpp 25)
+  expect_rejected(rejected_calls.cpp "// REASON: ([^\n]+)" rejected_calls.cpp 26)
 endif()
