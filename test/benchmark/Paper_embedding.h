@@ -121,8 +121,8 @@ private:
     m_eigenvalues = solver.eigenvalues().segment(1, 2);
   }
 
-  // f(y) = 1 / (1 - lambda) sum of M(x_i, y) f(x_i), where M(x_i, y) = W(y, x_i) since no base point
-  // is reconstructed from y.
+  // f(y) = 1 / (1 - lambda) sum of M(x_i, y) f(x_i), where M(x_i, y) = W(y, x_i) since no base
+  // point is reconstructed from y.
   void extend(std::size_t number_of_vertices)
   {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
