@@ -89,8 +89,9 @@ public:
   }
 
   /// Returns a shortest path from one vertex, surfel or location to another; empty if they are not
-  /// connected. On a cloud, the path is locally shortest. Takes time proportional to the number
-  /// of visited faces; on a cloud as `Surfel_path_finder::operator()`.
+  /// connected. On a cloud, the path is locally shortest on the fitted surface, except where a
+  /// random sample of the surface is sparse. Takes time proportional to the number of visited faces;
+  /// on a cloud as `Surfel_path_finder::operator()`.
   /// \tparam FromLocation, ToLocation a vertex, a surfel or a location
   /// \param from, to vertices, surfels or locations
   /// \throws Invalid_argument_error if a location is invalid
