@@ -30,6 +30,9 @@ constexpr double corner_cosine = 0.86602540378443865;
 // Points whose normals differ by more than 40 degrees are separated by a sharp edge.
 constexpr double sharp_edge_cosine = 0.76604444311897804;
 
+// Segments whose lengths differ by at most this factor have parameter intervals of equal length.
+constexpr double max_even_ratio = 2.;
+
 // Computes the shortest path between two points across the line of intersection of their tangent
 // planes. Sets the point on that line and the length of the path. Returns false if the points are
 // not separated by a sharp edge.
@@ -82,19 +85,46 @@ std::vector<Projection> subdivide_curve(const Path_surface& surface,
   std::vector<Projection> result;
   for(std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    const Vec3 &p = path[i].point, &q = path[i + 1].point;
-    Vec3 midpoint = 0.5 * (p + q);
-    const auto second_difference = [&](std::size_t j) -> Vec3
+    const Vec3 segment = path[i + 1].point - path[i].point;
+    const double interval = norm(segment);
+    // Returns the length of the parameter interval of an adjacent segment.
+    const auto adjacent_interval = [&](const Vec3& adjacent)
     {
-      if(j == 0 || j + 1 == path.size())
-        return {0., 0., 0.};
-      const Vec3 before = path[j].point - path[j - 1].point,
-                 after = path[j + 1].point - path[j].point;
-      return cosine_between(before, after) > corner_cosine ? before - after : Vec3{0., 0., 0.};
+      const double length = norm(adjacent);
+      return std::max(length, interval) <= max_even_ratio * std::min(length, interval) ? interval
+                                                                                       : length;
     };
-    const bool has_left = i > 0, has_right = i + 2 < path.size();
-    const double weight = has_left && has_right ? 1. / 16. : 1. / 8.;
-    midpoint = midpoint + weight * (second_difference(i) + second_difference(i + 1));
+    const auto second_difference =
+        [&](const Vec3& before, const Vec3& after, double interval_before, double interval_after)
+    {
+      if(!(cosine_between(before, after) > corner_cosine) ||
+         !(std::min(interval_before, interval_after) > 0.))
+        return Vec3{0., 0., 0.};
+      return 1. / (interval_before + interval_after) *
+             (1. / interval_after * after - 1. / interval_before * before);
+    };
+    // The cubic polynomial is a combination of the parabolas through the first and the last three
+    // points. At an end of the path, there is only one parabola.
+    Vec3 left = {0., 0., 0.}, right = left;
+    double left_interval = 0., right_interval = 0.;
+    if(i > 0)
+    {
+      const Vec3 before = path[i].point - path[i - 1].point;
+      left_interval = adjacent_interval(before);
+      left = second_difference(before, segment, left_interval, interval);
+    }
+    if(i + 2 < path.size())
+    {
+      const Vec3 after = path[i + 2].point - path[i + 1].point;
+      right_interval = adjacent_interval(after);
+      right = second_difference(segment, after, interval, right_interval);
+    }
+    double right_weight = i > 0 ? 0. : 1.;
+    if(i > 0 && i + 2 < path.size() && interval > 0.)
+      right_weight = (left_interval + 0.5 * interval) / (left_interval + interval + right_interval);
+    const Vec3 midpoint =
+        0.5 * (path[i].point + path[i + 1].point) -
+        0.25 * interval * interval * ((1. - right_weight) * left + right_weight * right);
     result.push_back(path[i]);
     result.push_back(surface.project(midpoint, path[i].vertex));
   }

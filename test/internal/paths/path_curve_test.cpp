@@ -64,6 +64,26 @@ TEST(path_curve, subdivision_reproduces_cubic_polynomials)
   }
 }
 
+TEST(path_curve, subdivision_of_uneven_segments_does_not_reverse)
+{
+  // Segments as they are refined at a hole: each one is 16 times as long as the next, or as short.
+  // With equal parameter intervals, the new point of the first short one would be far behind it.
+  std::vector<Projection> line;
+  double x = 0.;
+  for(const double length : {16., 16., 1., 1., 16., 16., 1., 0., 1.})
+  {
+    line.emplace_back().point = {x, 0., 0.};
+    x += length;
+  }
+  const std::vector<Projection> result = subdivide_curve(Plane(), line);
+  ASSERT_EQ(result.size(), 17u);
+  for(std::size_t i = 1; i < result.size(); i += 2)
+  {
+    const Vec3 middle = 0.5 * (result[i - 1].point + result[i + 1].point);
+    EXPECT_LT(norm(result[i].point - middle), 1e-13); // round-off errors of numbers near 50
+  }
+}
+
 TEST(path_curve, subdivision_keeps_corners)
 {
   std::vector<Projection> path(5);

@@ -20,6 +20,8 @@ std::vector<Projection> insert_sharp_edges(const std::vector<Projection>& path);
 
 // Inserts one point per segment by four-point subdivision (Dyn, Levin and Gregory 1987) and
 // projects it to the surface. Points at which the path turns by 30 degrees or more remain corners.
+// If the lengths of two adjacent segments differ by more than a factor of two, the intervals of the
+// cubic polynomial are proportional to them; with equal intervals, the curve would reverse.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Projection> subdivide_curve(const Path_surface& surface,
                                         const std::vector<Projection>& path);
