@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t coverage_neighbors = 60, number_above_percentile = 3;
 // Clamped points remain covered despite round-off errors.
 constexpr double clamping_ratio = 1. - 1e-6;
+// On random samples of a sphere, the first step suffices.
+constexpr int max_clamping_steps = 20;
 
 // The three largest numbers of a sequence.
 class Largest_values
@@ -77,33 +79,40 @@ Surfel_coverage::Surfel_coverage(const Surfel_cloud& cloud, unsigned number_of_t
       });
 }
 
-bool Surfel_coverage::is_covered(const Vec3& point, Index vertex) const
+Surfel_coverage::Nearest_surfel Surfel_coverage::nearest_surfel(const Vec3& point) const
 {
-  if(norm(point - m_cloud.point[vertex]) <= m_certain_radius[vertex])
-    return true;
   thread_local std::vector<Kd_tree::Neighbor> neighbors;
   m_cloud.tree.nearest(m_cloud.point, point, coverage_neighbors, neighbors);
   Largest_values largest;
   for(const Kd_tree::Neighbor& neighbor : neighbors)
     largest.add(m_cloud.spacing[neighbor.point]);
-  return std::sqrt(neighbors.front().squared_distance) <= largest.third();
+  return {neighbors.front().point, std::sqrt(neighbors.front().squared_distance), largest.third()};
+}
+
+bool Surfel_coverage::is_covered(const Vec3& point, Index vertex) const
+{
+  if(norm(point - m_cloud.point[vertex]) <= m_certain_radius[vertex])
+    return true;
+  const Nearest_surfel nearest = nearest_surfel(point);
+  return nearest.distance <= nearest.max_distance;
 }
 
 Vec3 Surfel_coverage::clamped_to_coverage(const Vec3& point, Index vertex) const
 {
   if(is_covered(point, vertex))
     return point;
-  vertex = m_cloud.tree.nearest(m_cloud.point, point);
-  const Vec3 offset = point - m_cloud.point[vertex];
-  // The surfel itself is covered. Each step reduces the distance to it by 5 %.
-  double fraction = std::min(1., m_radius[vertex] / norm(offset));
-  for(int i = 0; i < 60; ++i, fraction *= 0.95)
+  Nearest_surfel nearest = nearest_surfel(point);
+  const Vec3 center = m_cloud.point[nearest.vertex];
+  Vec3 candidate = point;
+  // The percentile is piecewise constant. In most cases, its value at the point is its value at the
+  // first candidate. On the segment, the nearest surfel does not change.
+  for(int i = 0; i < max_clamping_steps && nearest.distance > nearest.max_distance; ++i)
   {
-    const Vec3 candidate = m_cloud.point[vertex] + fraction * offset;
-    if(is_covered(candidate, vertex))
-      return candidate;
+    candidate =
+        center + clamping_ratio * nearest.max_distance / nearest.distance * (candidate - center);
+    nearest = nearest_surfel(candidate);
   }
-  return m_cloud.point[vertex];
+  return nearest.distance <= nearest.max_distance ? candidate : center;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/surfels/Surfel_surface.h>
 
 #include "numerics/Quadric_fit.h"
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +15,24 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // On a torus, a support ratio of 3 increases the error by a factor of 2.3.
-constexpr double support_ratio = 2.3, extent_ratio = 1.5;
-// The extent divided by the ninth decile of the neighbors' radii. On paths over four scans, 114 of
-// 70,000 points were not covered (see Surfel_coverage); with 1.2, 176, and with 1.3, 275.
-constexpr double large_radius_extent_ratio = 1.1;
+constexpr double support_ratio = 2.3;
+constexpr double extent_ratio = 1.5, neighbor_extent_ratio = 1.3; // see the header
+// The minimum support divided by the distance to the nearest surfel: that at the extent.
+constexpr double support_to_distance_ratio = support_ratio / extent_ratio;
 
 // Weights decrease to zero between these cosines of the angle between the normals.
 constexpr double full_weight_cosine = 0.76604444311897804 /* 40 degrees */,
                  zero_weight_cosine = 0.5 /* 60 degrees */;
 
-// For robust weights: the number of surfels of a fit, the height of an outlier divided by the
+// The number of nearest surfels that can surround a point, and of surfels of a robust fit.
+constexpr std::size_t number_of_nearest_surfels = 24;
+// The maximum angle between adjacent surfels around a surrounded point. At a concave corner of the
+// boundary, the angle is larger.
+constexpr double max_surrounding_gap = 0.5 * pi;
+
+// For robust weights: the height of an outlier divided by the
 // standard deviation, and the minimum standard deviation divided by the spacing. Below the
 // minimum, noise is negligible.
-constexpr std::size_t number_of_robust_neighbors = 24;
 constexpr double outlier_tolerance = 2.5, min_deviation = 0.02;
 constexpr double deviation_to_median_ratio = 1.4826; // of a normal distribution (MAD)
 
@@ -84,7 +90,7 @@ std::vector<double> robust_weights(const Surfel_cloud& cloud)
   // Returns the median of value(other) over the nearest surfels with compatible normals.
   const auto local_median = [&](Index vertex, const auto& value)
   {
-    cloud.tree.nearest(cloud.point, cloud.point[vertex], number_of_robust_neighbors, neighbors);
+    cloud.tree.nearest(cloud.point, cloud.point[vertex], number_of_nearest_surfels, neighbors);
     values.clear();
     for(const Kd_tree::Neighbor& neighbor : neighbors)
       if(dot(cloud.normal[vertex], cloud.normal[neighbor.point]) > zero_weight_cosine)
@@ -134,17 +140,16 @@ Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit,
       neighbor_radii.push_back(cloud.radius[graph.target[e]]);
     const double mean = std::accumulate(neighbor_radii.begin(), neighbor_radii.end(), 0.) /
                         double(neighbor_radii.size());
-    const auto ninth_decile =
-        neighbor_radii.begin() + std::ptrdiff_t(9 * neighbor_radii.size() / 10);
-    std::nth_element(neighbor_radii.begin(), ninth_decile, neighbor_radii.end());
     m_squared_support[vertex] = support_ratio * mean * (support_ratio * mean);
     m_disk_radius[vertex] = std::min(mean, cloud.radius[vertex]);
-    m_extent[vertex] =
-        std::min(extent_ratio * m_disk_radius[vertex], large_radius_extent_ratio * *ninth_decile);
     if(original_vertex.empty())
-    {
       m_disk_radius[vertex] = std::min(m_disk_radius[vertex], coverage.radius(vertex));
-      m_extent[vertex] = std::min(m_extent[vertex], coverage.radius(vertex));
+    m_extent[vertex] = extent_ratio * cloud.radius[vertex];
+    if(neighbor_radii.size() > 1)
+    {
+      const double max_neighbor_radius =
+          *std::max_element(neighbor_radii.begin() + 1, neighbor_radii.end());
+      m_extent[vertex] = std::min(m_extent[vertex], neighbor_extent_ratio * max_neighbor_radius);
     }
   }
 }
@@ -212,7 +217,11 @@ Projection Surfel_surface::project_to_disk(const Vec3& point, Index vertex) cons
 template <typename Visit>
 void Surfel_surface::visit_neighbors(const Vec3& point, Index vertex, Visit v) const
 {
-  const double inverse_squared_support = 1. / m_squared_support[vertex];
+  // In a sparse spot, all other surfels can be beyond the support of the nearest one. A fit to one
+  // surfel would be its tangent plane.
+  const Vec3 nearest_offset = support_to_distance_ratio * (m_cloud.point[vertex] - point);
+  const double inverse_squared_support =
+      1. / std::max(m_squared_support[vertex], dot(nearest_offset, nearest_offset));
   const auto consider = [&](Index other, double factor)
   {
     const Vec3 offset = m_cloud.point[other] - point;
@@ -235,7 +244,7 @@ void Surfel_surface::visit_neighbors(const Vec3& point, Index vertex, Visit v) c
     return;
   }
   thread_local std::vector<Kd_tree::Neighbor> neighbors;
-  m_cloud.tree.nearest(m_cloud.point, point, number_of_robust_neighbors, neighbors);
+  m_cloud.tree.nearest(m_cloud.point, point, number_of_nearest_surfels, neighbors);
   for(const Kd_tree::Neighbor& neighbor : neighbors)
     consider(neighbor.point, m_robust_weight[neighbor.point]);
 }
@@ -305,11 +314,60 @@ void Surfel_surface::add_quadric_correction(const Projection& from, double curva
                       dot(tilted_normal, tilted_normal) * normal;
 }
 
-// Returns true if a point is within the covered radius of a vertex.
-bool Surfel_surface::is_covered(const Vec3& point, Index vertex) const
+// Returns true if the surfels nearest to a point lie on all sides of it. `vertex` is the nearest
+// one, in whose tangent plane directions are compared.
+bool Surfel_surface::is_surrounded(const Vec3& point, Index vertex) const
 {
-  const Index original = original_vertex(vertex);
-  return norm(point - m_coverage.cloud().point[original]) <= m_coverage.radius(original);
+  thread_local std::vector<Kd_tree::Neighbor> neighbors;
+  thread_local std::vector<double> angles;
+  m_cloud.tree.nearest(m_cloud.point, point, number_of_nearest_surfels, neighbors);
+  const Vec3& normal = m_cloud.normal[vertex];
+  const auto [u, v] = tangent_frame(normal);
+  angles.clear();
+  for(const Kd_tree::Neighbor& neighbor : neighbors)
+    if(dot(m_cloud.normal[neighbor.point], normal) > zero_weight_cosine)
+    {
+      const Vec3 offset = m_cloud.point[neighbor.point] - point;
+      angles.push_back(std::atan2(dot(offset, v), dot(offset, u)));
+    }
+  if(angles.empty())
+    return false;
+  std::sort(angles.begin(), angles.end());
+  double max_gap = angles.front() + 2. * pi - angles.back();
+  for(std::size_t i = 0; i + 1 < angles.size(); ++i)
+    max_gap = std::max(max_gap, angles[i + 1] - angles[i]);
+  return max_gap < max_surrounding_gap;
+}
+
+// If a query point is beyond the boundary, moves it along the tangent plane towards its nearest
+// surfel into the first extent, and sets the conormal.
+void Surfel_surface::clamp_to_boundary(Projection& query) const
+{
+  const Index vertex = query.vertex;
+  const Vec3 offset = query.point - m_cloud.point[vertex];
+  const Vec3 tangent = offset - dot(offset, query.normal) * query.normal;
+  const double length = norm(tangent);
+  double displacement = length - m_extent[vertex];
+  if(!(displacement > 0.))
+    return;
+  const Vec3 conormal = (1. / length) * tangent;
+  const Proximity_graph& graph = m_cloud.graph;
+  for(Index e = graph.begin[vertex]; e < graph.begin[vertex + 1]; ++e)
+  {
+    // The extents of neighbors are balls, because neighbors can have other tangent planes.
+    const Index other = graph.target[e];
+    const Vec3 other_offset = query.point - m_cloud.point[other];
+    const double middle = dot(other_offset, conormal);
+    const double discriminant =
+        middle * middle - dot(other_offset, other_offset) + m_extent[other] * m_extent[other];
+    if(discriminant >= 0. && middle + std::sqrt(discriminant) >= 0.)
+      displacement = std::min(displacement, middle - std::sqrt(discriminant));
+  }
+  if(displacement > 0. && !is_surrounded(query.point, vertex))
+  {
+    query.conormal = conormal;
+    query.point = query.point - displacement * conormal;
+  }
 }
 
 Vec3 Surfel_surface::clamped_to_coverage(const Vec3& point, Index near_vertex) const
@@ -320,31 +378,13 @@ Vec3 Surfel_surface::clamped_to_coverage(const Vec3& point, Index near_vertex) c
 Projection Surfel_surface::project(const Vec3& query, Index near_vertex) const
 {
   Projection projection = project_unclamped(query, near_vertex);
-  if(is_covered(projection.point, projection.vertex))
-    return projection;
-  // Find the closest of the covered balls around the vertex and its neighbors.
-  const Proximity_graph& graph = m_cloud.graph;
-  Index nearest_original = projection.vertex;
-  double min_excess = infinity;
-  const auto consider = [&](Index vertex)
+  const Vec3 covered_point = clamped_to_coverage(projection.point, projection.vertex);
+  if(covered_point != projection.point)
   {
-    const Index original = original_vertex(vertex);
-    const double excess =
-        norm(projection.point - m_coverage.cloud().point[original]) - m_coverage.radius(original);
-    if(excess < min_excess)
-    {
-      min_excess = excess;
-      nearest_original = original;
-    }
-  };
-  consider(projection.vertex);
-  for(Index e = graph.begin[projection.vertex]; e < graph.begin[projection.vertex + 1]; ++e)
-    consider(graph.target[e]);
-  if(!(min_excess > 0.))
-    return projection;
-  const Vec3 center = m_coverage.cloud().point[nearest_original],
-             offset = projection.point - center;
-  projection.point = center + m_coverage.radius(nearest_original) / norm(offset) * offset;
+    const Vec3 offset = projection.point - covered_point;
+    projection.conormal = unit(offset - dot(offset, projection.normal) * projection.normal);
+    projection.point = covered_point;
+  }
   return projection;
 }
 
@@ -369,14 +409,7 @@ Projection Surfel_surface::project_unclamped(const Vec3& query, Index near_verte
   }
 
   Projection projection = {query, m_cloud.normal[vertex], {0., 0., 0.}, vertex};
-  const Vec3 offset = query - m_cloud.point[vertex];
-  const Vec3 tangent = offset - dot(offset, projection.normal) * projection.normal;
-  const double length = norm(tangent), max_length = m_extent[vertex];
-  if(length > max_length)
-  {
-    projection.conormal = (1. / length) * tangent;
-    projection.point = projection.point - (length - max_length) * projection.conormal;
-  }
+  clamp_to_boundary(projection);
   // The fit at a distant query point uses wrong weights. Iterate from the projection until it
   // converges.
   for(int i = 0; i < 4; ++i)

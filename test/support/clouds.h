@@ -93,6 +93,20 @@ inline Cloud cylinder_cloud(std::size_t around, std::size_t along, double radius
   return cloud;
 }
 
+// Independent, uniformly distributed points of the unit sphere.
+inline Cloud random_sphere(std::size_t n)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> coordinate;
+  Cloud cloud;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const Vec3 p = internal::unit(Vec3{coordinate(random), coordinate(random), coordinate(random)});
+    cloud.add(p, p);
+  }
+  return cloud;
+}
+
 // Returns point i of n evenly distributed points of the unit sphere (Fibonacci spiral).
 inline Vec3 on_spiral(std::size_t i, std::size_t n)
 {

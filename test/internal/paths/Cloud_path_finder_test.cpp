@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Cloud_path_finder_test {
@@ -305,6 +306,58 @@ TEST(Cloud_path_finder, does_not_cross_gaps)
       // The path is nowhere deeper in the gap than the reach of a surfel.
       EXPECT_LE(norm(square.points[nearest_point(square, x)] - x), surfel_reach * (1. + 0.01));
     }
+}
+
+// Returns the maximum, over a great circle arc, of the distance to the nearest surfel divided by the
+// distance up to which points are covered. `p` and `normal` are the start and the axis of the arc.
+double max_coverage_ratio(const Surfel_cloud& cloud, const Vec3& p, const Vec3& normal, double arc)
+{
+  double result = 0.;
+  std::vector<Kd_tree::Neighbor> neighbors;
+  for(double angle = 0.; angle < arc; angle += 0.003) // 1/20 of the spacing
+  {
+    const Vec3 q = std::cos(angle) * p + std::sin(angle) * cross(normal, p);
+    cloud.tree.nearest(cloud.point, 1. / cloud.frame.scale * (q - cloud.frame.origin), 60,
+                       neighbors);
+    std::vector<double> spacings;
+    for(const Kd_tree::Neighbor& neighbor : neighbors)
+      spacings.push_back(cloud.spacing[neighbor.point]);
+    std::nth_element(spacings.begin(), spacings.begin() + 57, spacings.end());
+    result = std::max(result, std::sqrt(neighbors.front().squared_distance) / spacings[57]);
+  }
+  return result;
+}
+
+TEST(Cloud_path_finder, is_locally_shortest_in_random_samples)
+{
+  const Cloud sphere = random_sphere(4000);
+  Finder finder(sphere);
+  std::mt19937 random(1);
+  int number_of_paths = 0;
+  for(int i = 0; i < 300; ++i)
+  {
+    const std::size_t from = random() % sphere.size(), to = random() % sphere.size();
+    const Vec3 &p = sphere.points[from], &q = sphere.points[to];
+    const double arc = std::atan2(norm(cross(p, q)), dot(p, q));
+    const Cloud_path found = finder(from, to);
+    const double error = finder.scale() * found.path.length / arc - 1.;
+    const std::vector<Vec3> points = finder.points(found);
+    double min_cosine = 1.;
+    for(std::size_t k = 1; k + 1 < points.size(); ++k)
+      min_cosine = std::min(min_cosine,
+                            dot(unit(points[k + 1] - points[k]), unit(points[k] - points[k - 1])));
+    // A detour around a hole, which is less than a spacing wide, from a path of several spacings.
+    EXPECT_LT(error, 0.01);
+    if(max_coverage_ratio(finder.fitted_cloud().cloud(), p, unit(cross(p, q)), arc) > 0.9)
+      continue; // close to a hole of the sample
+    ++number_of_paths;
+    // A path of 76 segments turns by 2.4 degrees in a node; the curve by a quarter.
+    EXPECT_GT(min_cosine, std::cos(5. * pi / 180.));
+    // Measured: 1e-5, because the number of iterations is limited. With holes, errors of 1e-3 are
+    // usual.
+    EXPECT_LT(std::abs(error), 3e-5);
+  }
+  EXPECT_GT(number_of_paths, 280);
 }
 
 // A folded strip: two parallel sheets at a distance of two spacings, joined at one end by half a

@@ -29,19 +29,6 @@ Cloud_tracer tracer_of(const Cloud& cloud, unsigned number_of_threads = 1)
   return Cloud_tracer(cloud.points, cloud.normals, {}, number_of_threads);
 }
 
-Cloud random_sphere(std::size_t n)
-{
-  std::mt19937 random(5);
-  std::normal_distribution<double> coordinate;
-  Cloud cloud;
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    const Vec3 p = unit(Vec3{coordinate(random), coordinate(random), coordinate(random)});
-    cloud.add(p, p);
-  }
-  return cloud;
-}
-
 TEST(Cloud_tracer, follows_great_circles)
 {
   // The fit reproduces a sphere, and a step reproduces a great circle. So only round-off errors

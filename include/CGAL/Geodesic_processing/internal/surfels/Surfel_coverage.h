@@ -36,6 +36,14 @@ public:
   const Surfel_cloud& cloud() const { return m_cloud; }
 
 private:
+  // The surfel nearest to a point, and the distance to it up to which the point is covered.
+  struct Nearest_surfel
+  {
+    Index vertex;
+    double distance, max_distance;
+  };
+  Nearest_surfel nearest_surfel(const Vec3& point) const;
+
   const Surfel_cloud& m_cloud;
   // #vertices. All points within m_certain_radius of a vertex are covered.
   std::vector<double> m_radius, m_certain_radius;
