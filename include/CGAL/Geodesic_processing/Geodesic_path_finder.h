@@ -89,9 +89,9 @@ public:
   }
 
   /// Returns a shortest path from one vertex, surfel or location to another; empty if they are not
-  /// connected. On a cloud, the path is locally shortest on the fitted surface, except where a
-  /// random sample of the surface is sparse. Takes time proportional to the number of visited faces;
-  /// on a cloud as `Surfel_path_finder::operator()`.
+  /// connected. On a cloud, the path is locally shortest on the surface that is fitted to the
+  /// surfels; next to a hole of the sampling, it can have corners. Takes time proportional to the
+  /// number of visited faces; on a cloud as `Surfel_path_finder::operator()`.
   /// \tparam FromLocation, ToLocation a vertex, a surfel or a location
   /// \param from, to vertices, surfels or locations
   /// \throws Invalid_argument_error if a location is invalid
@@ -108,8 +108,8 @@ public:
   /// Returns a locally shortest path; empty if the ends are not connected.
   ///
   /// On scans that are meshes, it takes a few milliseconds at most, and the path is on average a
-  /// few hundredths of a percent longer than the shortest path. On other meshes it can be more than
-  /// a third longer: 36 % on a cube of 12 triangles.
+  /// few hundredths of a percent longer than the shortest path. On other meshes it can be a third
+  /// longer.
   /// \tparam FromLocation, ToLocation a vertex, a surfel or a location
   /// \param from, to vertices, surfels or locations
   /// \throws Invalid_argument_error if a location is invalid
