@@ -308,8 +308,8 @@ TEST(Cloud_path_finder, does_not_cross_gaps)
     }
 }
 
-// Returns the maximum, over a great circle arc, of the distance to the nearest surfel divided by the
-// distance up to which points are covered. `p` and `normal` are the start and the axis of the arc.
+// Returns the maximum, over a great circle arc, of the distance to the nearest surfel divided by
+// the distance up to which points are covered. `p` and `normal` are the start and the axis.
 double max_coverage_ratio(const Surfel_cloud& cloud, const Vec3& p, const Vec3& normal, double arc)
 {
   double result = 0.;

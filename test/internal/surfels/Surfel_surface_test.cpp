@@ -204,8 +204,7 @@ TEST(Surfel_surface, keeps_hole_open_around_isolated_surfel)
 
 TEST(Surfel_surface, has_no_holes_in_sparse_spots)
 {
-  // In a random sample, the largest empty circles are 1.9 times as wide as the mean spacing. The
-  // surface still contains their centers if they are covered.
+  // The surface contains the covered points of sparse spots.
   const Cloud sphere = random_sphere(4000);
   const Surfel_cloud cloud = cloud_of(sphere);
   const Surface surface(cloud, Surfel_fit::quadrics);
@@ -227,8 +226,7 @@ TEST(Surfel_surface, has_no_holes_in_sparse_spots)
       EXPECT_LT(norm(projection.point - query), 1e-9);
     }
   }
-  // A few points are in no hull, as the nearest surfel is not counted. Extents alone would leave
-  // 70 points in holes.
+  // A few points are not surrounded. Extents of 1.5 minimum radii alone leave 70 points in holes.
   EXPECT_LE(number_of_holes, 3);
 }
 
