@@ -226,7 +226,8 @@ TEST(Surfel_surface, has_no_holes_in_sparse_spots)
       EXPECT_LT(norm(projection.point - query), 1e-9);
     }
   }
-  // A few points are not surrounded. Extents of 1.5 minimum radii alone leave 70 points in holes.
+  // A few points are not surrounded. The extents of the nearest surfels alone leave tens of points
+  // in holes.
   EXPECT_LE(number_of_holes, 3);
 }
 
