@@ -68,6 +68,7 @@ Cloud_path_options validated(Cloud_path_options options)
   if(!(path.tolerance >= 0.))
     throw Invalid_argument_error("The tolerance is negative or not a number.");
   options.path.constraint = path_constraint(options.method);
+  options.path.do_fit_curve = options.do_enforce_guarantees;
   return options;
 }
 

@@ -531,6 +531,13 @@ Shortened_path shorten_path(const Path_surface& surface, const Path_options& opt
     path = resample(surface, path, number_of_nodes);
     relative_length.assign(number_of_nodes - 1, 1.);
   }
+  if(!options.do_fit_curve)
+  {
+    result.number_of_control_points = path.size() - 2;
+    result.length = result.polyline_length = polyline_length(path);
+    result.points = std::move(path);
+    return result;
+  }
   for(int i = 0; i < max_segment_refinements && refine_segments(surface, relative_length, path);
       ++i)
     result.levels.push_back(minimize_energy(surface, options, relative_length, path));

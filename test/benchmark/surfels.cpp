@@ -444,18 +444,19 @@ int main(int argc, char* argv[])
   const std::string argument = argc > 1 ? argv[1] : "";
   const std::vector<Surface> surfaces = exactly_fitted_surfaces();
   const bool is_complete = argument.empty() || argument == "--quick";
-  if(is_complete || argument == "--errors")
+  if(is_complete || argument == "--clean")
   {
     print_clean(surfaces);
     print_spheres();
+  }
+  if(is_complete || argument == "--noisy")
     print_noisy(surfaces);
+  if(is_complete || argument == "--weights")
     print_weights(surfaces);
-  }
   if(is_complete || argument == "--other-surfaces")
-  {
     print_other_surfaces();
+  if(is_complete || argument == "--orders")
     print_orders();
-  }
   if(is_complete || argument == "--times")
   {
     print_path_times(surfaces);

@@ -143,8 +143,10 @@ public:
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_enforce_guarantees}
   ///     \cgalParamDescription{whether a path is changed or replaced if it is longer than the
-  ///       initial path, crosses a gap or changes to another sheet. If `false`, the path is the
-  ///       minimizer of the energy. Use it to compare methods}
+  ///       initial path, crosses a gap or changes to another sheet. If `false`, the
+  ///       points of the path are the control points that minimize the energy. They are not
+  ///       projected to the surface, unless the method does, and no smooth curve is fitted to them.
+  ///       Use it to compare methods}
   ///     \cgalParamType{`bool`}
   ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd

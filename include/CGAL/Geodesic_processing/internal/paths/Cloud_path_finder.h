@@ -25,7 +25,7 @@ struct Cloud_path_options
   Surfel_path_method method = Surfel_path_method::projected_quadrics;
   Surfel_noise noise = Surfel_noise::removed_when_found;
   Surfel_search search = Surfel_search::coarse_to_fine;
-  Path_options path;                 // its constraint is set according to the method
+  Path_options path; // its constraint and do_fit_curve follow from the other options
   bool do_enforce_guarantees = true; // see Cloud_path_finder::operator()
 };
 
@@ -114,7 +114,8 @@ public:
   // consecutive points are joined by short graph paths, so that the path neither crosses gaps nor
   // jumps between sheets.
   //
-  // If guarantees are not enforced, the path is the minimizer of the energy of the method.
+  // If guarantees are not enforced, the path is the polyline of the control points that minimizes
+  // the energy of the method.
   Cloud_path operator()(const Tangent_location& from, const Tangent_location& to)
   {
     return shorten({from, to});

@@ -30,6 +30,9 @@ struct Path_options
   // they become shorter by only 1e-6.
   std::size_t max_iterations = 40;
   double min_spacing = 0.; // fewer control points are used if they would be closer than this
+  // If false, the result is the polyline of the control points. Segments are not halved, and no
+  // smooth curve on the surface is fitted to the control points.
+  bool do_fit_curve = true;
 };
 
 // The energy of a path v_0, ..., v_(n+1) (Ruggeri, Darom, Saupe and Kiryati 2006, Eq. 1-4):
@@ -86,10 +89,11 @@ Path_energy_level minimize_energy(const Path_surface& surface, const Path_option
 
 struct Shortened_path
 {
-  std::vector<Projection> points; // the smooth curve with four segments per control segment,
-                                  //   including both endpoints
+  // the smooth curve with four segments per control segment, or the control points, see
+  // Path_options::do_fit_curve; including both endpoints
+  std::vector<Projection> points;
   std::size_t number_of_control_points = 0;
-  double length = 0.; // of the smooth curve, see curve_length()
+  double length = 0.; // of the smooth curve, see curve_length(); or of the polyline
   double polyline_length = 0.;
   std::vector<Path_energy_level> levels;
 };
