@@ -29,7 +29,8 @@ namespace CGAL::Geodesic_processing {
 /// A path on a surfel cloud. Each location refers to the surfel nearest to it on the same sheet.
 /// `length` is the length of the polyline, which cuts corners, and at most `initial_length`.
 /// `front_distance` is the length of the smooth curve through its points, and the more accurate
-/// estimate of the geodesic distance.
+/// estimate of the geodesic distance. If `do_enforce_guarantees` is `false`, both are the length of
+/// the polyline, which can exceed `initial_length`.
 template <typename SurfelRange>
 struct Surfel_path : Surface_path<SurfelRange>
 {
