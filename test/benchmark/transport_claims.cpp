@@ -4,10 +4,12 @@
 // Measures the claims of Solomon, Rustamov, Guibas and Butscher 2014 on earth mover's distances.
 // The tables compare times. Further tables verify that distances decrease with k and that they are
 // metrics, unlike heat distances. Others measure stability under noise, bending and remeshing,
-// evenness and isotropy. --quick: small meshes only. The arguments table-1, table-2, monotonicity,
-// metrics, stability, evenness, isotropy and disks select one table.
+// evenness and isotropy. --quick: small meshes only. The arguments table-1, table-2, basis-sizes,
+// monotonicity, metrics, stability, evenness, isotropy and disks select one table. An argument FILE.svg
+// receives a plot of the distances by the basis size.
 #include <CGAL/Geodesic_processing.h>
 
+#include "Error_plot.h"
 #include "models.h"
 #include "report.h"
 
@@ -390,6 +392,73 @@ void print_all_pairs(bool is_quick)
   table.print();
 }
 
+// Returns the density exp(-(d / r)^2) of the distances d from a vertex, where r is a quarter of the
+// largest distance from the first vertex.
+std::vector<double> bump(const Mesh& mesh, Vertex center)
+{
+  std::vector<double> from_first(mesh.number_of_vertices()), density(mesh.number_of_vertices());
+  GP::geodesic_distances(mesh, Vertex(0), CGAL::make_property_map(from_first));
+  GP::geodesic_distances(mesh, center, CGAL::make_property_map(density));
+  const double radius = 0.25 * *std::max_element(from_first.begin(), from_first.end());
+  for(double& x : density)
+    x = std::exp(-x * x / (radius * radius));
+  return density;
+}
+
+// Figure 3: the distance between two densities decreases with the basis size. Both kinds of flows
+// are compared with the cost of all flows.
+void print_basis_sizes(bool is_quick, const std::string& plot_file)
+{
+  const std::vector<std::size_t> basis_sizes =
+      is_quick ? std::vector<std::size_t>{0, 10, 30}
+               : std::vector<std::size_t>{0, 5, 10, 20, 50, 100, 200, 400};
+  std::vector<std::string> header = {"above all flows %", "vertices", "flow"};
+  for(const std::size_t k : basis_sizes)
+    header.push_back("k = " + std::to_string(k));
+  Table table(header);
+  std::vector<Panel> panels;
+  const auto add = [&](const std::string& name, const Mesh& mesh)
+  {
+    const std::vector<double> from_first = bump(mesh, Vertex(0));
+    const Vertex farthest(Mesh::size_type(std::min_element(from_first.begin(), from_first.end()) -
+                                          from_first.begin()));
+    const std::vector<double> from_last = bump(mesh, farthest);
+    const auto from = GP::mass_density(CGAL::make_property_map(from_first)),
+               to = GP::mass_density(CGAL::make_property_map(from_last));
+    const auto np = GP::parameters::tolerance(tolerance).do_normalize(true);
+    const double all_flows =
+        GP::earth_movers_distance(mesh, from, to, np.number_of_refinements(0u)).value;
+    Panel panel{name, "basis size", {}};
+    for(const GP::Transport_flow flow :
+        {GP::Transport_flow::gradient, GP::Transport_flow::balanced})
+    {
+      const bool is_gradient = flow == GP::Transport_flow::gradient;
+      Series series{is_gradient ? "gradient flow, as in the paper" : "balanced flow",
+                    is_gradient ? 1u : 2u,
+                    std::nan(""),
+                    {}};
+      std::vector<std::string> row = {name, std::to_string(mesh.number_of_vertices()),
+                                      is_gradient ? "gradient" : "balanced"};
+      for(const std::size_t k : basis_sizes)
+      {
+        const GP::Transport_metric<Mesh> metric(mesh, k, GP::parameters::transport_flow(flow));
+        const double excess = metric.cost(from, to, np).value / all_flows - 1.;
+        row.push_back(format_fixed(100. * excess, 2));
+        if(k > 0)
+          series.points.push_back({double(metric.basis_size()), excess});
+      }
+      table.add(row);
+      panel.series.push_back(series);
+    }
+    panels.push_back(panel);
+  };
+  add("sphere", icosphere(is_quick ? 3 : 4));
+  for_each_model({is_quick ? "pig_468" : "elephant_2k8"}, add);
+  table.print();
+  if(!plot_file.empty() && !write_error_plot(plot_file, panels))
+    std::printf("%s cannot be written.\n", plot_file.c_str());
+}
+
 // Verifies that distances never increase with k, and measures their excess over geodesic distances.
 void print_monotonicity(bool is_quick)
 {
@@ -737,60 +806,61 @@ void print_evenness(bool is_quick)
 {
   Table table({"unevenness", "vertices", "exact", "heat", "biharmonic", "k = 0", "k = 10",
                "k = 100", "k = 0 / biharmonic"});
-  for_each_model(
-      is_quick ? std::vector<std::string>{"hemisphere_2k"}
-               : std::vector<std::string>{"hemisphere_2k", "elephant_2k8", "cow_2k9", "dino_4k",
-                                          "knot1_3k"},
-      [&](const std::string& name, Mesh& mesh)
+  const auto add = [&](const std::string& name, const Mesh& mesh)
+  {
+    const Domain domain(mesh);
+    const Triangles& t = domain.triangles();
+    const Index n = Index(t->number_of_vertices());
+    const Operators o = operators(*t);
+    const std::vector<Index> sources = {0, n / 2};
+    std::vector<std::vector<double>> unevenness_values(6);
+    auto solver = heat_solver(domain, 1.);
+    const Biharmonic_distances biharmonic_distances(*t);
+    std::vector<std::unique_ptr<Spectral_transport>> families;
+    for(const std::size_t k : {0, 10, 100})
+      families.push_back(std::make_unique<Spectral_transport>(
+          t, k, k == 0 ? Particular_field::gradient : Particular_field::raviart_thomas));
+    for(const Index from : sources)
+    {
+      Window_propagation windows(t);
+      windows.run({source(vertex_location(from))});
+      Vector truth(n);
+      for(Index i = 0; i < n; ++i)
+        truth[i] = windows.distance(i);
+      const double min_distance = 0.05 * truth.maxCoeff();
+      const auto unevenness = [&](const Vector& function)
       {
-        const Domain domain(mesh);
-        const Triangles& t = domain.triangles();
-        const Index n = Index(t->number_of_vertices());
-        const Operators o = operators(*t);
-        const std::vector<Index> sources = {0, n / 2};
-        std::vector<std::vector<double>> unevenness_values(6);
-        auto solver = heat_solver(domain, 1.);
-        const Biharmonic_distances biharmonic_distances(*t);
-        std::vector<std::unique_ptr<Spectral_transport>> families;
-        for(const std::size_t k : {0, 10, 100})
-          families.push_back(std::make_unique<Spectral_transport>(
-              t, k, k == 0 ? Particular_field::gradient : Particular_field::raviart_thomas));
-        for(const Index from : sources)
+        double area = 0., sum = 0., squares = 0.;
+        const Field slope = gradient(o, function);
+        for(std::size_t f = 0; f < slope.size(); ++f)
         {
-          Window_propagation windows(t);
-          windows.run({source(vertex_location(from))});
-          Vector truth(n);
-          for(Index i = 0; i < n; ++i)
-            truth[i] = windows.distance(i);
-          const double min_distance = 0.05 * truth.maxCoeff();
-          const auto unevenness = [&](const Vector& function)
-          {
-            double area = 0., sum = 0., squares = 0.;
-            const Field slope = gradient(o, function);
-            for(std::size_t f = 0; f < slope.size(); ++f)
-            {
-              const Index* corner = &o.corner[3 * f];
-              if(std::min({truth[corner[0]], truth[corner[1]], truth[corner[2]]}) < min_distance)
-                continue;
-              area += o.area[f];
-              sum += o.area[f] * norm(slope[f]);
-              squares += o.area[f] * dot(slope[f], slope[f]);
-            }
-            return std::sqrt(squares * area / (sum * sum) - 1.);
-          };
-          const Masses mass = masses_at(*t, {vertex_location(from)});
-          unevenness_values[0].push_back(unevenness(truth));
-          unevenness_values[1].push_back(unevenness(heat_distances(domain, solver, from)));
-          unevenness_values[2].push_back(unevenness(biharmonic_distances.one_to_all(mass, 1)));
-          for(std::size_t i = 0; i < families.size(); ++i)
-            unevenness_values[3 + i].push_back(unevenness(families[i]->one_to_all(mass, {})));
+          const Index* corner = &o.corner[3 * f];
+          if(std::min({truth[corner[0]], truth[corner[1]], truth[corner[2]]}) < min_distance)
+            continue;
+          area += o.area[f];
+          sum += o.area[f] * norm(slope[f]);
+          squares += o.area[f] * dot(slope[f], slope[f]);
         }
-        std::vector<std::string> row = {name, std::to_string(n)};
-        for(const auto& values : unevenness_values)
-          row.push_back(format_fixed(mean(values), 2));
-        row.push_back(format_fixed(mean(unevenness_values[3]) / mean(unevenness_values[2]), 2));
-        table.add(row);
-      });
+        return std::sqrt(squares * area / (sum * sum) - 1.);
+      };
+      const Masses mass = masses_at(*t, {vertex_location(from)});
+      unevenness_values[0].push_back(unevenness(truth));
+      unevenness_values[1].push_back(unevenness(heat_distances(domain, solver, from)));
+      unevenness_values[2].push_back(unevenness(biharmonic_distances.one_to_all(mass, 1)));
+      for(std::size_t i = 0; i < families.size(); ++i)
+        unevenness_values[3 + i].push_back(unevenness(families[i]->one_to_all(mass, {})));
+    }
+    std::vector<std::string> row = {name, std::to_string(n)};
+    for(const auto& values : unevenness_values)
+      row.push_back(format_fixed(mean(values), 2));
+    row.push_back(format_fixed(mean(unevenness_values[3]) / mean(unevenness_values[2]), 2));
+    table.add(row);
+  };
+  add("torus", mesh_of(CGAL::Geodesic_processing::test::torus(80, 32)));
+  for_each_model(is_quick ? std::vector<std::string>{"hemisphere_2k"}
+                          : std::vector<std::string>{"hemisphere_2k", "elephant_2k8", "cow_2k9",
+                                                     "dino_4k", "knot1_3k"},
+                 add);
   table.print();
 }
 
@@ -918,15 +988,22 @@ int main(int argc, char* argv[])
       {"stability", print_stability},       {"evenness", print_evenness},
       {"isotropy", print_isotropy},         {"disks", print_disks}};
   bool is_quick = false;
-  std::string selected;
+  std::string selected, plot_file;
   for(int i = 1; i < argc; ++i)
-    if(std::string(argv[i]) == "--quick")
+  {
+    const std::string argument = argv[i];
+    if(argument == "--quick")
       is_quick = true;
+    else if(argument.find(".svg") != std::string::npos)
+      plot_file = argument;
     else
-      selected = argv[i];
+      selected = argument;
+  }
   for(const auto& [name, print] : sections)
     if(selected.empty() || selected == name)
       print(is_quick);
+  if(selected.empty() || selected == "basis-sizes")
+    print_basis_sizes(is_quick, plot_file);
   std::printf(
       "Targets: no increases; certified violations of the triangle inequality only for heat; all "
       "transport distances\nsymmetric; errors of disks at most 1.\n");
