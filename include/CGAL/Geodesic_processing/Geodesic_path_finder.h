@@ -108,8 +108,8 @@ public:
   /// Returns a locally shortest path; empty if the ends are not connected.
   ///
   /// On scans that are meshes, it takes a few milliseconds at most, and the path is on average a
-  /// few hundredths of a percent longer than the shortest path. On other meshes it can be a third
-  /// longer.
+  /// few hundredths of a percent longer than the shortest path. On other meshes it can be more than
+  /// a third longer: 36 % on a cube of 12 triangles.
   /// \tparam FromLocation, ToLocation a vertex, a surfel or a location
   /// \param from, to vertices, surfels or locations
   /// \throws Invalid_argument_error if a location is invalid
