@@ -203,6 +203,39 @@ void print_noisy(const std::vector<Surface>& surfaces)
   table.print();
 }
 
+// The authors add control points only where a path is curved, so that they use few of them on a
+// plane. With fewer control points, a path follows less of the noise.
+void print_control_points(const std::vector<Surface>& surfaces)
+{
+  std::printf("Energy of the paper by the number of control points, noise kept\n");
+  constexpr std::size_t numbers_of_control_points[] = {3, 9, 25, 75};
+  std::vector<std::string> header = {"surface"};
+  for(const std::size_t number : numbers_of_control_points)
+  {
+    header.push_back("EG " + std::to_string(number));
+    header.push_back("EP");
+  }
+  Table table(header);
+  for(const Surface& s : surfaces)
+    for(int level = 0; level <= 2; ++level)
+    {
+      const Cloud cloud =
+          level == 0 ? s.clean : with_noise(s.clean, radii(s.clean), 0.5 * level, 7);
+      std::vector<std::string> row = {s.name + " " + std::to_string(50 * level) + " %"};
+      for(const std::size_t number : numbers_of_control_points)
+      {
+        Cloud_path_options options =
+            with_method(Surfel_path_method::disks, Surfel_noise::kept, false);
+        options.path.number_of_control_points = number;
+        const Errors e = errors(s, cloud, options, number_of_pairs);
+        row.push_back(percent(e.length));
+        row.push_back(percent(e.path));
+      }
+      table.add(row);
+    }
+  table.print();
+}
+
 void print_weights(const std::vector<Surface>& surfaces)
 {
   std::printf("Plain and robust weights, without prior removal of noise and outliers\n");
@@ -451,6 +484,8 @@ int main(int argc, char* argv[])
   }
   if(is_complete || argument == "--noisy")
     print_noisy(surfaces);
+  if(is_complete || argument == "--control-points")
+    print_control_points(surfaces);
   if(is_complete || argument == "--weights")
     print_weights(surfaces);
   if(is_complete || argument == "--other-surfaces")
