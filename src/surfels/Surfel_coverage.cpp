@@ -43,7 +43,7 @@ private:
 
 Surfel_coverage::Surfel_coverage(const Surfel_cloud& cloud, unsigned number_of_threads)
     : m_cloud(cloud), m_radius(cloud.number_of_vertices()),
-      m_certain_radius(cloud.number_of_vertices())
+      m_certain_radius(cloud.number_of_vertices()), m_wide_radius(cloud.number_of_vertices())
 {
   const Proximity_graph& graph = cloud.graph;
   for_each_block(
@@ -89,9 +89,35 @@ Surfel_coverage::Nearest_surfel Surfel_coverage::nearest_surfel(const Vec3& poin
   return {neighbors.front().point, std::sqrt(neighbors.front().squared_distance), largest.third()};
 }
 
+// Returns a distance up to which all points around a vertex are covered. Threads that compute it at
+// the same time compute the same number.
+double Surfel_coverage::wide_radius(Index vertex) const
+{
+  const double known = m_wide_radius[vertex].load(std::memory_order_relaxed);
+  if(known > 0.)
+    return known;
+  thread_local std::vector<Kd_tree::Neighbor> neighbors;
+  m_cloud.tree.nearest(m_cloud.point, m_cloud.point[vertex], coverage_neighbors, neighbors);
+  const double last_distance = std::sqrt(neighbors.back().squared_distance);
+  Largest_values largest;
+  double result = m_certain_radius[vertex];
+  for(const Kd_tree::Neighbor& neighbor : neighbors)
+  {
+    largest.add(m_cloud.spacing[neighbor.point]);
+    // As for m_certain_radius. If there are fewer than 60 surfels, each point has the same ones.
+    if(largest.is_full())
+      result =
+          std::max(result, std::min(largest.third(),
+                                    0.5 * (last_distance - std::sqrt(neighbor.squared_distance))));
+  }
+  m_wide_radius[vertex].store(result, std::memory_order_relaxed);
+  return result;
+}
+
 bool Surfel_coverage::is_covered(const Vec3& point, Index vertex) const
 {
-  if(norm(point - m_cloud.point[vertex]) <= m_certain_radius[vertex])
+  const double distance = norm(point - m_cloud.point[vertex]);
+  if(distance <= m_certain_radius[vertex] || distance <= wide_radius(vertex))
     return true;
   const Nearest_surfel nearest = nearest_surfel(point);
   return nearest.distance <= nearest.max_distance;

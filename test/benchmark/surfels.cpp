@@ -203,12 +203,12 @@ void print_noisy(const std::vector<Surface>& surfaces)
   table.print();
 }
 
-// The authors add control points only where a path is curved, so that they use few of them on a
-// plane. With fewer control points, a path follows less of the noise.
+// With fewer control points, a path follows less of the noise. The authors used about 69 on the noisy
+// sphere, 37 on the cylinder and 21 on the plane.
 void print_control_points(const std::vector<Surface>& surfaces)
 {
   std::printf("Energy of the paper by the number of control points, noise kept\n");
-  constexpr std::size_t numbers_of_control_points[] = {3, 9, 25, 75};
+  constexpr std::size_t numbers_of_control_points[] = {9, 21, 37, 75};
   std::vector<std::string> header = {"surface"};
   for(const std::size_t number : numbers_of_control_points)
   {

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/surfels/Surfel_cloud.h>
 
+#include <atomic>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -45,8 +46,12 @@ private:
   Nearest_surfel nearest_surfel(const Vec3& point) const;
 
   const Surfel_cloud& m_cloud;
+  double wide_radius(Index vertex) const;
+
   // #vertices. All points within m_certain_radius of a vertex are covered.
   std::vector<double> m_radius, m_certain_radius;
+  // #vertices. A better bound of the same kind, computed at its first use; 0: not yet.
+  mutable std::vector<std::atomic<double>> m_wide_radius;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
