@@ -322,10 +322,11 @@ inline std::vector<std::pair<Index, Index>> random_pairs(const Cloud& cloud, std
   return result;
 }
 
-// Relative length and path errors, root mean squares over the pairs. `control_points` is a mean.
+// Relative errors, root mean squares over the pairs: of the length of the smooth curve, of the length
+// of the polyline through its points, and of the path. `control_points` is a mean.
 struct Errors
 {
-  double length = 0., path = 0., control_points = 0.;
+  double length = 0., polyline = 0., path = 0., control_points = 0.;
   std::size_t number_of_longer_paths = 0; // longer than the initial path
 };
 
@@ -341,16 +342,22 @@ inline Errors errors(const Surface& surface, const Cloud& cloud, const Cloud_pat
     const std::vector<Geodesic> geodesics = surface.geodesics(a, b, path);
     const double truth = geodesics.front().length;
     const double e = paths.length(found.path) / truth - 1.;
+    double polyline = 0.;
+    for(std::size_t i = 0; i + 1 < path.size(); ++i)
+      polyline += norm(path[i + 1] - path[i]);
+    polyline = polyline / truth - 1.;
     double d = infinity;
     for(const auto& [curve, length] : geodesics)
       if(length <= (1. + other_geodesic_tolerance) * truth)
         d = std::min(d, path_distance(path, curve) / truth);
     result.length += e * e;
+    result.polyline += polyline * polyline;
     result.path += d * d;
     result.control_points += double(found.path.number_of_control_points);
     result.number_of_longer_paths += found.path.length > found.initial_length;
   }
   result.length = std::sqrt(result.length / double(number_of_pairs));
+  result.polyline = std::sqrt(result.polyline / double(number_of_pairs));
   result.path = std::sqrt(result.path / double(number_of_pairs));
   result.control_points /= double(number_of_pairs);
   return result;

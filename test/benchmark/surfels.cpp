@@ -82,15 +82,17 @@ public:
         row.push_back(format_significant(published.length));
         row.push_back(format_significant(published.path));
       }
-    double control_points = 0.;
+    double polyline = 0., control_points = 0.; // of the default, which is last
     for(const Method& method : methods())
     {
       const Errors e = errors(surface, cloud, method.options, number_of_pairs);
       row.push_back(percent(e.length));
       row.push_back(percent(e.path));
       longer.push_back(std::to_string(e.number_of_longer_paths));
-      control_points = e.control_points; // of the default, which is last
+      polyline = e.polyline;
+      control_points = e.control_points;
     }
+    row.push_back(percent(polyline));
     row.push_back(format_fixed(control_points, 0));
     m_table.add(row);
     m_longer.add(longer);
@@ -124,6 +126,7 @@ private:
     }
     for(const Method& method : methods())
       add(method.name);
+    result.push_back("EG polyline");
     result.push_back("control points");
     return result;
   }
