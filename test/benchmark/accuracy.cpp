@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measures the relative errors of the distance methods, and their convergence orders.
+// Measures the relative errors of the distance methods, their convergence orders, and the lengths of
+// paths. The argument --paths selects the paths.
 #include <CGAL/Geodesic_processing.h>
 
 #include "Error_plot.h"
 #include "Cgal_heat_solver.h"
+#include "Path_comparison.h"
 #include "models.h"
 #include "report.h"
 
@@ -316,18 +318,53 @@ std::optional<Convergence> print_models(bool quick)
   return result;
 }
 
+// Compares path tracers on distances from three sources with exact distances.
+void print_paths(bool quick)
+{
+  std::printf(
+      "Paths from 300 random vertices to three sources: excess of the length over the exact "
+      "distance in percent,\nmean / maximum of the paths that arrive. Vertex gradients: "
+      "interpolated, fourth-order Runge-Kutta steps\nof 1/4 of the mean edge length (Peyre and "
+      "Cohen 2003). Face gradients: the descent of this package.\nShortened: to locally shortest "
+      "paths.\n\n");
+  std::vector<std::pair<std::string, Mesh>> meshes;
+  meshes.emplace_back("icosphere 5", icosphere(5));
+  meshes.emplace_back("square 101^2", jittered_square(101));
+  for(const std::string name : {"bunny_37k", "nefertiti_35k", "fandisk_6k5"})
+    if(auto mesh = load_model(name); mesh && !(quick && num_vertices(*mesh) > 10000))
+      meshes.emplace_back(name, std::move(*mesh));
+  Table table(Path_comparison::table_header());
+  for(const auto& [name, mesh] : meshes)
+    Path_comparison(mesh, 0.25).add_rows(table, name);
+  table.print();
+
+  std::printf("The same on the sphere, with other steps\n\n");
+  Table steps(Path_comparison::table_header());
+  for(const double step : {2., 1., 0.5, 0.125})
+    Path_comparison(meshes.front().second, step)
+        .add_rows(steps, format_significant(step) + " mean edges");
+  steps.print();
+}
+
 } // namespace
 
-// accuracy [--quick] [PLOT.svg]
+// accuracy [--quick] [--paths] [PLOT.svg]
 int main(int argc, char* argv[])
 {
-  bool quick = false;
+  bool quick = false, only_paths = false;
   std::string plot;
   for(int i = 1; i < argc; ++i)
     if(std::strcmp(argv[i], "--quick") == 0)
       quick = true;
+    else if(std::strcmp(argv[i], "--paths") == 0)
+      only_paths = true;
     else
       plot = argv[i];
+  if(only_paths)
+  {
+    print_paths(quick);
+    return EXIT_SUCCESS;
+  }
 
   std::printf(
       "Accuracy: mean / maximum relative error in percent, from one source vertex. Vertices\n"
@@ -335,6 +372,7 @@ int main(int argc, char* argv[])
   const Convergence on_sphere = print_spheres(quick);
   print_squares(quick);
   const std::optional<Convergence> on_scan = print_models(quick);
+  print_paths(quick);
 
   if(!plot.empty())
   {
