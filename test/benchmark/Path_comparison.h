@@ -45,14 +45,16 @@ public:
             "arrived", "set-up [ms]", "path [ms]", "shortened [ms]"};
   }
 
-  void add_rows(Table& table, const std::string& name) const
+  // Adds at most `max_number` rows. The first one is that of the paper's tracer.
+  void add_rows(Table& table, const std::string& name, std::size_t max_number = 100) const
   {
-    for(const Row& row : m_rows)
+    for(std::size_t i = 0; i < std::min(max_number, m_rows.size()); ++i)
     {
+      const Row& row = m_rows[i];
       const bool is_shortened = row.shortened.count > 0;
       const auto milliseconds = [&](double seconds) { return format_significant(1e3 * seconds); };
-      table.add({&row == &m_rows.front() ? name : "", row.distances, row.path,
-                 row.excess.percent(3), is_shortened ? row.shortened.percent(3) : "-",
+      table.add({i == 0 ? name : "", row.distances, row.path, row.excess.percent(3),
+                 is_shortened ? row.shortened.percent(3) : "-",
                  std::to_string(row.excess.count) + " of " + std::to_string(number_of_paths),
                  is_shortened ? milliseconds(row.setup / number_of_sources) : "-",
                  milliseconds(row.seconds / number_of_paths),

@@ -1,13 +1,14 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measures the relative errors of the distance methods, their convergence orders, and the lengths of
-// paths. The argument --paths selects the paths.
+// Measures the relative errors of the distance methods, their convergence orders, and the lengths
+// of paths. The argument --paths selects the paths.
 #include <CGAL/Geodesic_processing.h>
 
 #include "Error_plot.h"
 #include "Cgal_heat_solver.h"
 #include "Path_comparison.h"
+#include "Two_distance_front.h"
 #include "models.h"
 #include "report.h"
 
@@ -28,15 +29,16 @@ namespace GP = CGAL::Geodesic_processing;
 // With more vertices, the factorizations of the heat methods take minutes.
 constexpr std::size_t max_vertices_for_heat = 200000;
 
-const std::vector<std::string> methods = {"Dijkstra", "Fast_marching", "Euclidean_front", "Heat",
-                                          "CGAL heat"};
+const std::vector<std::string> methods = {"Dijkstra", "Fast_marching", "Euclidean_front",
+                                          "Heat",     "CGAL heat",     "two distances"};
 enum
 {
   dijkstra,
   marching,
   front,
   heat,
-  cgal_heat
+  cgal_heat,
+  two_distances
 };
 
 struct Errors
@@ -72,7 +74,7 @@ class Prepared_solvers
 public:
   explicit Prepared_solvers(Mesh& mesh)
       : m_domain(GP::make_domain(mesh)), m_dijkstra(m_domain), m_marching(m_domain),
-        m_front(m_domain)
+        m_front(m_domain), m_two_distances(*m_domain.triangles())
   {
     if(num_vertices(mesh) <= max_vertices_for_heat)
     {
@@ -101,6 +103,10 @@ public:
     run(&m_front);
     run(m_heat.get());
     run(m_cgal_heat.get());
+    m_two_distances.compute(m_domain.index(source));
+    result.push_back(::errors(
+        reference, [&](Vertex v)
+        { return m_domain.triangles()->scale * m_two_distances.distance(m_domain.index(v)); }));
     return result;
   }
 
@@ -113,6 +119,7 @@ private:
   Solver<GP::Euclidean_front> m_front;
   std::unique_ptr<Solver<GP::Heat>> m_heat;
   std::unique_ptr<Cgal_heat_solver> m_cgal_heat;
+  Two_distance_front m_two_distances;
 };
 
 std::string percent(const Errors& e)
@@ -211,7 +218,8 @@ public:
   {
     Panel result{title, "mean edge length", {}};
     for(const auto& [method, points] : m_points)
-      result.series.push_back({methods[method], method, order(method), points});
+      if(method != two_distances)
+        result.series.push_back({methods[method], method, order(method), points});
     return result;
   }
 
@@ -330,7 +338,7 @@ void print_paths(bool quick)
   std::vector<std::pair<std::string, Mesh>> meshes;
   meshes.emplace_back("icosphere 5", icosphere(5));
   meshes.emplace_back("square 101^2", jittered_square(101));
-  for(const std::string name : {"bunny_37k", "nefertiti_35k", "fandisk_6k5"})
+  for(const std::string name : {"bunny_37k", "nefertiti_35k", "fandisk_6k5", "mech_holes_shark_5k"})
     if(auto mesh = load_model(name); mesh && !(quick && num_vertices(*mesh) > 10000))
       meshes.emplace_back(name, std::move(*mesh));
   Table table(Path_comparison::table_header());
@@ -338,11 +346,11 @@ void print_paths(bool quick)
     Path_comparison(mesh, 0.25).add_rows(table, name);
   table.print();
 
-  std::printf("The same on the sphere, with other steps\n\n");
+  std::printf("Vertex gradients on the sphere, with other steps\n\n");
   Table steps(Path_comparison::table_header());
   for(const double step : {2., 1., 0.5, 0.125})
     Path_comparison(meshes.front().second, step)
-        .add_rows(steps, format_significant(step) + " mean edges");
+        .add_rows(steps, format_significant(step) + " mean edges", 1);
   steps.print();
 }
 
