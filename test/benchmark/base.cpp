@@ -3,7 +3,9 @@
 //
 // Measures the distortion, the inverted triangles and the time of base mesh coordinates, for areas
 // from geodesic distances and for mean values. Also measures the distance of semi-regular meshes to
-// the input.
+// the input, and the times of section 5 of Peyre and Cohen 2003. The argument --paper selects the
+// latter.
+#include <CGAL/Geodesic_processing/farthest_point_sampling.h>
 #include <CGAL/Geodesic_processing/semi_regular_remeshing.h>
 
 #include <CGAL/Geodesic_processing/internal/spatial_search/Triangle_tree.h>
@@ -17,7 +19,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <random>
@@ -297,11 +301,68 @@ void print_semi_regular_meshes(bool is_quick)
   std::printf("Targets: mean distance 0.05 %%, 95 %% of the angles, 5 s at 35,000 vertices.\n");
 }
 
+// Measures the steps whose times are stated in section 5 of Peyre and Cohen 2003. The paper states
+// neither its models nor its machine.
+void print_paper_times()
+{
+  std::printf(
+      "Section 5 of Peyre and Cohen 2003: processor times in seconds, medians of five "
+      "rounds, paper in parentheses.\nThe base mesh includes its own sampling. The complete "
+      "model is a semi-regular mesh of four levels.\n\n");
+  Table table({"model", "vertices (5000)", "500 points (10)", "500 more (almost immediate)",
+               "base mesh (about 10)", "parameterization (about 10)",
+               "complete model (less than 60)"});
+  for(const std::string name : {"eight_5k", "mech_holes_shark_5k", "fandisk_6k5"})
+  {
+    const auto mesh = load_model(name);
+    if(!mesh)
+      continue;
+    std::vector<double> few, more, base_times, map_times, complete;
+    const auto sample = [&](std::size_t number)
+    {
+      std::vector<GP::Location<Mesh>> samples;
+      return cpu_seconds(
+          [&] {
+            GP::farthest_point_sampling<GP::Fast_marching>(*mesh, number,
+                                                           std::back_inserter(samples));
+          });
+    };
+    for(int round = 0; round < 5; ++round)
+    {
+      few.push_back(sample(500));
+      more.push_back(sample(1000) - few.back());
+      const auto domain = GP::make_domain(*mesh);
+      Remeshing_options options;
+      options.number_of_samples = 500;
+      std::shared_ptr<const Base_mesh> base;
+      base_times.push_back(cpu_seconds(
+          [&] {
+            base = std::make_shared<const Base_mesh>(build_base_mesh(domain.triangles(), options));
+          }));
+      map_times.push_back(cpu_seconds([&] { Base_map(base, Base_coordinates::heron); }));
+      Mesh output;
+      complete.push_back(cpu_seconds([&] { GP::semi_regular_remeshing(*mesh, 500, 4, output); }));
+    }
+    std::vector<std::string> row = {name, std::to_string(num_vertices(*mesh))};
+    for(const auto& times : {few, more, base_times, map_times, complete})
+      row.push_back(benchmarks::format_fixed(benchmarks::median(times), 3));
+    table.add(row);
+  }
+  table.print();
+}
+
 } // namespace
 
+// base [--quick | --paper]
 int main(int argc, char** argv)
 {
+  if(argc > 1 && std::strcmp(argv[1], "--paper") == 0)
+  {
+    print_paper_times();
+    return EXIT_SUCCESS;
+  }
   const bool is_quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
   print_maps(is_quick);
   print_semi_regular_meshes(is_quick);
+  print_paper_times();
 }
