@@ -457,8 +457,8 @@ program robustness "$small" 100 $build/robustness.ply
 property=detour program detour_cost "$small" 100 1500 $build/detour_cost.ply
 property=density program barycenter_of_six_masses "$runner" $build/barycenter_of_six_masses.ply
 property=likelihood program fuzzy_geodesics "$small" 691 2278 $build/fuzzy_geodesics.ply
-property=none program hodge_decomposition "$small" 100 1200 $build/hodge_decomposition.ply
-as=hodge_decomposition_maze property=none program hodge_decomposition $models/maze.ply 804 3 1223 \
+property=potential program hodge_decomposition "$small" 100 1200 $build/hodge_decomposition.ply
+as=hodge_decomposition_maze property=potential program hodge_decomposition $models/maze.ply 804 3 1223 \
   $build/hodge_decomposition_maze.ply
 program compare_methods "$small"
 program damaged_soup "$animal" $build/damaged_soup.ply
