@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numeric>
 #include <unordered_set>
+#include <utility>
 
 namespace program {
 
@@ -209,6 +210,15 @@ double report_distances(Job& job, const std::vector<double>& distances)
     job.print_line("unreached         " + std::to_string(unreached) + " of " +
                    std::to_string(distances.size()));
   return largest_distance;
+}
+
+void write_polylines(const Job& job, std::vector<std::vector<Point>> polylines)
+{
+  if(job.output().empty())
+    return;
+  Surface_file file;
+  file.polylines = std::move(polylines);
+  write_surface_file(job.output(), file);
 }
 
 void write_result(const Job& job, const std::string& name, const std::vector<double>& values,

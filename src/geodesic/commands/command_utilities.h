@@ -224,6 +224,19 @@ std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t num
 // Returns the vertices and faces of a mesh.
 Surface_file to_file(const Mesh& mesh);
 
+// Returns the coordinates of a range of points.
+template <typename Points>
+std::vector<Point> to_points(const Points& points)
+{
+  std::vector<Point> result;
+  for(const auto& p : points)
+    result.push_back(coordinates(p));
+  return result;
+}
+
+// If an output is requested, writes polylines to its file.
+void write_polylines(const Job& job, std::vector<std::vector<Point>> polylines);
+
 // Returns the coordinates as text, one point per line.
 std::string points_text(const std::vector<Point>& points);
 

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Output_file.h"
-#include "io/write_surface_file.h"
 #include "picture/Picture.h"
 #include "readers/Scanner.h"
 #include "app/commands.h"
@@ -107,9 +106,7 @@ Isoline_result find_isolines(const Mesh& mesh, const Isoline_options& options, J
                GP::parameters::do_fit_circles(do_fit_circles));
   for(const auto& line : lines)
   {
-    result.lines.emplace_back();
-    for(const auto& p : line.points)
-      result.lines.back().push_back(coordinates(p));
+    result.lines.push_back(to_points(line.points));
     result.number_of_closed += line.is_closed;
     result.length += line.length;
   }
@@ -167,12 +164,7 @@ void run_isolines(Job& job, const Isoline_options& options)
     picture.thin_polylines = result.lines;
     draw(job.picture(), picture);
   }
-  if(!job.output().empty())
-  {
-    Surface_file file;
-    file.polylines = result.lines;
-    write_surface_file(job.output(), file);
-  }
+  write_polylines(job, result.lines);
   job.finish();
 }
 

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Output_file.h"
-#include "io/write_surface_file.h"
 #include "picture/Picture.h"
 #include "readers/Scanner.h"
 #include "commands/cloud_paths.h"
@@ -66,8 +65,7 @@ std::string distance_method(const Path_options& options)
 template <typename Path>
 void copy_path(const Path& path, Path_result& result)
 {
-  for(const auto& p : path.points)
-    result.points.push_back(coordinates(p));
+  result.points = to_points(path.points);
   result.length = path.length;
   result.front_distance = path.front_distance;
   result.lower = path.lower;
@@ -200,13 +198,8 @@ void run_path(Job& job, const Path_options& options)
     picture.thin_polylines = initial_paths;
     draw(job.picture(), picture);
   }
-  if(!job.output().empty())
-  {
-    Surface_file output;
-    output.polylines = initial_paths;
-    output.polylines.insert(output.polylines.begin(), result.points);
-    write_surface_file(job.output(), output);
-  }
+  initial_paths.insert(initial_paths.begin(), result.points);
+  write_polylines(job, std::move(initial_paths));
   job.finish();
 }
 

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Output_file.h"
-#include "io/write_surface_file.h"
 #include "picture/Picture.h"
 #include "readers/Scanner.h"
 #include "app/commands.h"
@@ -51,9 +50,7 @@ Streamline_result compute_streamlines(const Surface_type& surface, const Masses&
       lines.push_back(tracer(vertex_at<Surface_type>(seed)));
   for(const auto& line : lines)
   {
-    result.lines.emplace_back();
-    for(const auto& p : line.points)
-      result.lines.back().push_back(coordinates(p));
+    result.lines.push_back(to_points(line.points));
     result.length += line.length;
     result.arrived += line.has_arrived;
   }
@@ -104,12 +101,7 @@ void run_streamlines(Job& job, const Streamline_options& options)
         picture.markers.push_back(surface.file.points[vertex]);
     draw(job.picture(), picture);
   }
-  if(!job.output().empty())
-  {
-    Surface_file file;
-    file.polylines = result.lines;
-    write_surface_file(job.output(), file);
-  }
+  write_polylines(job, result.lines);
   job.finish();
 }
 

@@ -165,16 +165,12 @@ void run_slices(Job& job, const Volume_options& options, const Metric& metric,
 void run_path(Job& job, const Metric& metric, const Kernel::Point_3& from,
               const Kernel::Point_3& to)
 {
-  std::vector<Point> path;
   std::vector<Kernel::Point_3> points;
   const bool arrives = metric.write_path(from, to, std::back_inserter(points));
+  const std::vector<Point> path = to_points(points);
   double length = 0.;
-  for(std::size_t i = 0; i < points.size(); ++i)
-  {
-    path.push_back(coordinates(points[i]));
-    if(i > 0)
-      length += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
-  }
+  for(std::size_t i = 1; i < points.size(); ++i)
+    length += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
   job.result()["length"] = json_number(length);
   job.result()["points"] = path.size();
   job.result()["arrives"] = arrives;
@@ -193,12 +189,7 @@ void run_path(Job& job, const Metric& metric, const Kernel::Point_3& from,
     picture.markers = {path.front(), path.back()};
     draw(job.picture(), picture);
   }
-  if(!job.output().empty())
-  {
-    Surface_file output;
-    output.polylines = {path};
-    write_surface_file(job.output(), output);
-  }
+  write_polylines(job, {path});
 }
 
 void run_volume(Job& job, const Volume_options& options)

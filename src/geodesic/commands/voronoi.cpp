@@ -51,11 +51,7 @@ Voronoi_result find_cells(const Surface_type& surface, const Voronoi_options& op
     GP::geodesic_voronoi_diagram(domain, seeds, labels,
                                  asked.bisector_output(std::back_inserter(bisectors)));
     for(const auto& bisector : bisectors)
-    {
-      result.bisectors.emplace_back();
-      for(const auto& p : bisector.points)
-        result.bisectors.back().push_back(coordinates(p));
-    }
+      result.bisectors.push_back(to_points(bisector.points));
   }
   else
     GP::geodesic_voronoi_diagram(domain, seeds, labels, asked);
