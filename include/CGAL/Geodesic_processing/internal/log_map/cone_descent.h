@@ -26,7 +26,7 @@ struct Direction_pull
   double moment = 0.; // not negative
 };
 
-// The direction in which a function increases least, and its derivative there. The slope is
+// The direction of the smallest directional derivative, and this derivative (`slope`). The slope is
 // negative if and only if there is a descent direction. If there are no directions, it is zero.
 struct Cone_descent
 {
@@ -36,29 +36,33 @@ struct Cone_descent
 
 // Minimizes the directional derivative of 1/2 sum w_i d(x, p_i)^2 over all directions at x.
 //
-// The surface is a cone at x. By the first variation of arc length, the derivative in direction u
-// is
+// The surface at x is a cone. Let v_i be the direction of the shortest path to p_i, and d_i the
+// length of this path. By the first variation of arc length, the derivative in direction u is
 //
-//   - sum w_i d_i cos(min(angle(u, v_i), pi)),
+//   - sum w_i d_i cos(min(angle(u, v_i), pi)).
 //
-// where v_i is the direction of the path to p_i. The angle is the smaller one of both sides of u;
-// at the boundary, and between different fans, there is one side or none. Between critical
-// directions this is a sinusoid. The critical directions are those at the angle pi from a v_i, and
-// those at equal angles on both sides of it. All intervals between them are minimized in closed
-// form. O(k log k) for k paths.
+// In a closed fan, angle(u, v_i) is the smaller one of the clockwise and the counterclockwise angle.
+// In the fan of a boundary vertex, only one of them exists. If u and v_i are in different fans, the
+// angle is infinite.
+//
+// As a function of the polar angle of u, the derivative is a sinusoid between critical directions.
+// A direction is critical if its angle to some v_i is pi, or if the clockwise and the
+// counterclockwise angle are equal. Each interval is minimized in closed form. O(k log k) time for
+// k paths.
 //
 // fans   disjoint intervals of polar angles
-// pulls  each direction is in a fan, up to round-off errors and multiples of the angle of a closed
-//        fan
+// pulls  if a fan is closed, angles can differ by multiples of its angle. Otherwise, each angle is
+//        in a fan, up to round-off errors
 CGAL_GEODESIC_PROCESSING_EXPORT
 Cone_descent steepest_descent(const std::vector<Direction_fan>& fans,
                               const std::vector<Direction_pull>& pulls);
 
-// Returns whether the only fan is that of a point without curvature, inside the surface.
+// Returns whether the point has a single closed fan of angle 2 pi: an interior point, or a vertex
+// without curvature.
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_smooth(const std::vector<Direction_fan>& fans);
 
-// Returns the sum of moments as a vector: at a smooth point, the negative gradient.
+// Returns the vector sum of the pulls. At a smooth point, this is the negative gradient.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vec2 sum_of_pulls(const std::vector<Direction_pull>& pulls);
 
