@@ -12,6 +12,7 @@
 #include <CGAL/Geodesic_processing/internal/log_map/cone_descent.h>
 #include "core/unfold.h"
 #include "log_map/Planar_quasi_newton.h"
+#include "log_map/mean_iteration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,9 +107,8 @@ private:
   {
     const auto callback = [&](double)
     {
-      return m_options.callback(std::min(
-          1., double(m_number_of_iterations) /
-                  double(std::max<std::size_t>(1, m_options.maximum_number_of_iterations))));
+      return m_options.callback(
+          completed_fraction(m_number_of_iterations, m_options.maximum_number_of_iterations));
     };
     Mean_state result = {Polar_frame(t, location), 0., 0., {}, false, {0., 0.}};
     const auto departures =
@@ -249,21 +249,14 @@ Mean_location karcher_mean(const std::shared_ptr<const Surface_arrays>& triangle
   std::vector<Surface_location> canonical_locations;
   for(const Surface_location& location : locations)
     canonical_locations.push_back(canonical(*triangles, location));
-  // The sum of large weights can overflow.
-  const double max_weight = *std::max_element(weights.begin(), weights.end());
-  double total_weight = 0.;
-  for(const double weight : weights)
-    total_weight += weight / max_weight;
-  std::vector<double> unit_weights;
-  for(const double weight : weights)
-    unit_weights.push_back(weight / max_weight / total_weight);
+  Unit_weights unit = unit_weights(weights);
   const Surface_location start =
       options.initial_location
           ? *options.initial_location
-          : coarse_mean(triangles, canonical_locations, unit_weights, options.callback);
+          : coarse_mean(triangles, canonical_locations, unit.values, options.callback);
   Departure_finder finder(triangles, std::move(canonical_locations));
-  Mean_location result = Mean_descent(finder, std::move(unit_weights), options)(start);
-  result.value *= total_weight * max_weight;
+  Mean_location result = Mean_descent(finder, std::move(unit.values), options)(start);
+  result.value *= unit.sum;
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/log_map/Cloud_departure_finder.h>
 #include "log_map/Planar_quasi_newton.h"
+#include "log_map/mean_iteration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,10 +73,8 @@ public:
 private:
   void check_callback() const
   {
-    if(m_options.callback &&
-       !m_options.callback(std::min(
-           1., double(m_number_of_iterations) /
-                   double(std::max<std::size_t>(1, m_options.maximum_number_of_iterations)))))
+    if(m_options.callback && !m_options.callback(completed_fraction(
+                                 m_number_of_iterations, m_options.maximum_number_of_iterations)))
       throw Cancelled();
   }
 
@@ -194,25 +193,18 @@ Cloud_mean karcher_mean_on_cloud(const Cloud_path_finder& finder,
   std::vector<Tangent_location> inner_locations;
   for(const Tangent_location& location : locations)
     inner_locations.push_back(inner(location));
-  // The sum of large weights can overflow.
-  const double max_weight = *std::max_element(weights.begin(), weights.end());
-  double total_weight = 0.;
-  for(const double weight : weights)
-    total_weight += weight / max_weight;
-  std::vector<double> unit_weights;
-  for(const double weight : weights)
-    unit_weights.push_back(weight / max_weight / total_weight);
+  Unit_weights unit = unit_weights(weights);
 
   const Cloud_departure_finder departures(finder, std::move(inner_locations),
                                           options.number_of_threads);
   Projection end;
-  Cloud_mean result = Cloud_mean_descent(departures, std::move(unit_weights),
+  Cloud_mean result = Cloud_mean_descent(departures, std::move(unit.values),
                                          options)(fitted.project(inner(start)), end);
   const Tangent_location location = fitted.location(end);
   result.location = {cloud.caller_vertex[location.vertex],
                      {scale * location.offset[0], scale * location.offset[1]}};
   result.point = origin + scale * result.point;
-  result.value *= total_weight * max_weight * scale * scale;
+  result.value *= unit.sum * scale * scale;
   result.gradient_norm *= scale;
   return result;
 }
