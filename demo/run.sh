@@ -362,6 +362,10 @@ picture emd "Transport from three vertices to three others: optimal flow and the
   emd "$bunny" --from 0,500,1500 --to 100,2000,3000
 picture barycenter "Vertex with the minimum sum of squared distances to five points, and the shortest paths to them" \
   barycenter "$small" --points 691,1766,2200,2278,2552
+picture karcher-mean "Karcher mean of five points, and the shortest paths to them" \
+  karcher-mean "$small" --points 691,1766,2200,2278,2552
+picture karcher-mean-cloud "Karcher mean of three points of a point cloud" \
+  karcher-mean "$scan" --points 0,1000,3000
 picture volume-slice "Transport distance in space from an interior point, on a plane inside and outside the mesh" \
   volume "$small" --from=-0.061,-0.201,-0.006 --slice z,-0.006 --refine 0
 picture volume-slices "Transport distance in space from an interior point, on two planes" \

@@ -51,6 +51,7 @@ path --from 0 --to 1 --method exact
 matrix --number 5 --method exact
 emd --from 0 --to 1
 barycenter --points 0,1 --tolerance 0.1 --refine 0
+karcher-mean --points 0,1
 feature-distance --feature 0
 feature-distance --feature-path 0,2 --feature-at 0.1,0.2,0.3
 plan --from 0 --to 1,2 --capacity 0.6,0.7

@@ -92,6 +92,7 @@ commands()
 0= emd --help
 0= plan --help
 0= barycenter --help
+0= karcher-mean --help
 0= feature-distance --help
 0= fuzzy --help
 0= streamlines --help
@@ -296,6 +297,9 @@ commands()
 0 barycenter models/painted.ply --of people --of room --normalize --weight 1 --weight 2
 0 barycenter data/meshes/pig_468.off --points 0,100,200,300 --weight 1 --weight 2 --weight 1 --weight 1
 0 barycenter data/points/before_upsample_850.xyz --points 0,400 --tolerance 0.05
+0 karcher-mean models/ring.off --points 0,100,200 -o out.vtp
+0 karcher-mean data/meshes/elephant_2k8.off --points 691,2278 --point-at 0.1,0.2,0.1 --weight 1 --weight 2 --weight 1 -o out.obj
+0 karcher-mean data/points/oni_normals_1k.pwn --points 0,500,700 -o out.ply
 
 0 feature-distance models/ring.off --feature 0,100
 0 feature-distance models/painted.ply --border --speed speed
@@ -371,6 +375,7 @@ commands()
 1 emd models/ring.off --from 0
 1 plan models/ring.off --from 0 --to 1 --capacity 1,2
 1 barycenter models/ring.off
+1 karcher-mean models/ring.off
 1 fuzzy models/ring.off --from 0 --to 0
 1 streamlines models/ring.off --from 0 --to 1 --method magic
 1 volume models/ring.off --from 0,0 --to 1,1,1

@@ -92,6 +92,7 @@ all_of_a_file()
   attempt "$file" $limit emd --from 0 --to 1,2 --tolerance 0.01 || failed=1
   attempt "$file" $limit plan --from 0 --to 1,2 --tolerance 0.01 || failed=1
   attempt "$file" $limit barycenter --points 0,1,2 --tolerance 0.1 || failed=1
+  attempt "$file" $limit karcher-mean --points 0,1 --point-at 0.3,0.2,0.1 || failed=1
   attempt "$file" $limit streamlines --from 0 --to 1,2 --tolerance 0.01 || failed=1
   attempt "$file" $limit fuzzy --from 0 --to 1 --tolerance 0.01 || failed=1
   attempt "$file" $limit volume --from 0,0,0 --to 0.1,0.2,0.3 --tolerance 0.01 || failed=1

@@ -225,6 +225,8 @@ TEST_F(Program, json_has_documented_keys)
   expect_keys("barycenter square.ply --points 0,80",
               {"value", "lower", "upper", "iterations", "residual", "converged", "distances",
                "point", "point_value"});
+  expect_keys("karcher-mean square.ply --points 0,80",
+              {"mean", "value", "gradient_norm", "converged", "iterations"});
   expect_keys(
       "feature-distance square.ply --feature 0",
       {"max", "unreached", "value", "lower", "upper", "iterations", "residual", "converged"});

@@ -31,6 +31,7 @@ void add_surfels(CLI::App& program);
 void add_emd(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_barycenter(CLI::App& program);
+void add_karcher_mean(CLI::App& program);
 void add_feature_distance(CLI::App& program);
 void add_fuzzy(CLI::App& program);
 void add_streamlines(CLI::App& program);

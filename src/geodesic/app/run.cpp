@@ -60,6 +60,7 @@ constexpr Named_command commands[] = {
     {"emd", add_emd},
     {"plan", add_plan},
     {"barycenter", add_barycenter},
+    {"karcher-mean", add_karcher_mean},
     {"feature-distance", add_feature_distance},
     {"fuzzy", add_fuzzy},
     {"streamlines", add_streamlines},
