@@ -70,7 +70,7 @@ Barycenter_result find_barycenter(const Surface_type& surface, const std::vector
       GP::Geodesic_distance_solver<Surface_type> distance_solver(domain);
       distance_solver.compute(found.vertex, prepared);
       for(const Vertex& v : vertices)
-        result.paths.push_back(to_points(distance_solver.path(v).points));
+        result.paths.push_back(coordinates_of(distance_solver.path(v).points));
     }
   }
   job.begin_stage("query");

@@ -226,7 +226,7 @@ Surface_file to_file(const Mesh& mesh);
 
 // Returns the coordinates of a range of points.
 template <typename Points>
-std::vector<Point> to_points(const Points& points)
+std::vector<Point> coordinates_of(const Points& points)
 {
   std::vector<Point> result;
   for(const auto& p : points)

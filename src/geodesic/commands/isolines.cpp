@@ -106,7 +106,7 @@ Isoline_result find_isolines(const Mesh& mesh, const Isoline_options& options, J
                GP::parameters::do_fit_circles(do_fit_circles));
   for(const auto& line : lines)
   {
-    result.lines.push_back(to_points(line.points));
+    result.lines.push_back(coordinates_of(line.points));
     result.number_of_closed += line.is_closed;
     result.length += line.length;
   }

@@ -59,7 +59,7 @@ void compute_paths([[maybe_unused]] const Domain& domain, const typename Domain:
   {
     // A point of weight zero can be in another component. Its path is empty.
     if(!path.points.empty())
-      result.paths.push_back(to_points(path.points));
+      result.paths.push_back(coordinates_of(path.points));
   };
   if constexpr(is_mesh<typename Domain::Surface>)
   {

@@ -65,7 +65,7 @@ std::string distance_method(const Path_options& options)
 template <typename Path>
 void copy_path(const Path& path, Path_result& result)
 {
-  result.points = to_points(path.points);
+  result.points = coordinates_of(path.points);
   result.length = path.length;
   result.front_distance = path.front_distance;
   result.lower = path.lower;

@@ -50,7 +50,7 @@ Streamline_result compute_streamlines(const Surface_type& surface, const Masses&
       lines.push_back(tracer(vertex_at<Surface_type>(seed)));
   for(const auto& line : lines)
   {
-    result.lines.push_back(to_points(line.points));
+    result.lines.push_back(coordinates_of(line.points));
     result.length += line.length;
     result.arrived += line.has_arrived;
   }

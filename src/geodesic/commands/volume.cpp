@@ -167,7 +167,7 @@ void run_path(Job& job, const Metric& metric, const Kernel::Point_3& from,
 {
   std::vector<Kernel::Point_3> points;
   const bool arrives = metric.write_path(from, to, std::back_inserter(points));
-  const std::vector<Point> path = to_points(points);
+  const std::vector<Point> path = coordinates_of(points);
   double length = 0.;
   for(std::size_t i = 1; i < points.size(); ++i)
     length += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));

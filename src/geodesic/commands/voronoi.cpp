@@ -51,7 +51,7 @@ Voronoi_result find_cells(const Surface_type& surface, const Voronoi_options& op
     GP::geodesic_voronoi_diagram(domain, seeds, labels,
                                  asked.bisector_output(std::back_inserter(bisectors)));
     for(const auto& bisector : bisectors)
-      result.bisectors.push_back(to_points(bisector.points));
+      result.bisectors.push_back(coordinates_of(bisector.points));
   }
   else
     GP::geodesic_voronoi_diagram(domain, seeds, labels, asked);
