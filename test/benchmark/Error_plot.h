@@ -22,13 +22,21 @@ struct Series
   std::string name;
   std::size_t style; // index of the color and marker
   double order;
-  std::vector<std::array<double, 2>> points; // edge length or seconds; relative error
+  std::vector<std::array<double, 2>>
+      points; // edge length, seconds or number; relative error or distance
+};
+
+enum class Axes
+{
+  logarithmic, // the second coordinate is a relative error and labeled in percent
+  linear       // the axes begin at zero and at a multiple of the step below the smallest value
 };
 
 struct Panel
 {
   std::string title, axis; // label of the horizontal axis
   std::vector<Series> series;
+  Axes axes = Axes::logarithmic;
 };
 
 // Layout of a panel in pixels.
@@ -128,7 +136,7 @@ private:
   std::ofstream m_out;
 };
 
-// Draws one panel: logarithmic axes, the series, and the legend below them.
+// Draws one panel: the axes, the series, and the legend below them.
 class Panel_plot
 {
 public:
@@ -139,16 +147,18 @@ public:
     for(const Series& series : panel.series)
       for(const auto& point : series.points)
       {
-        m_x0 = std::min(m_x0, std::log10(point[0]));
-        m_x1 = std::max(m_x1, std::log10(point[0]));
-        m_y0 = std::min(m_y0, std::log10(point[1]));
-        m_y1 = std::max(m_y1, std::log10(point[1]));
+        m_x0 = std::min(m_x0, to_axis(point[0]));
+        m_x1 = std::max(m_x1, to_axis(point[0]));
+        m_y0 = std::min(m_y0, to_axis(point[1]));
+        m_y1 = std::max(m_y1, to_axis(point[1]));
       }
     m_is_empty = m_x0 > m_x1;
-    m_x0 -= 0.1;
-    m_x1 += 0.1;
-    m_y0 = std::floor(m_y0);
-    m_y1 = std::ceil(m_y1);
+    const double margin = is_linear() ? 0.03 * (m_x1 - m_x0) : 0.1;
+    m_x0 -= margin;
+    m_x1 += margin;
+    m_y_step = is_linear() ? step(m_y1 - m_y0) : 1.;
+    m_y0 = m_y_step * std::floor(m_y0 / m_y_step);
+    m_y1 = m_y_step * std::ceil(m_y1 / m_y_step);
   }
 
   void draw()
@@ -167,7 +177,22 @@ public:
 private:
   static constexpr double bottom = panel_height - bottom_margin;
 
-  // Convert base-10 logarithms to pixels.
+  bool is_linear() const { return m_panel.axes == Axes::linear; }
+
+  // Returns the coordinate on an axis: the value or its base-10 logarithm.
+  double to_axis(double value) const { return is_linear() ? value : std::log10(value); }
+
+  // Returns 1, 2 or 5 times a power of ten, at least a sixth of the length of a linear axis.
+  static double step(double length)
+  {
+    const double power = std::pow(10., std::floor(std::log10(length / 6.)));
+    for(const double digit : {1., 2., 5.})
+      if(digit * power >= length / 6.)
+        return digit * power;
+    return 10. * power;
+  }
+
+  // Convert coordinates on the axes to pixels.
   double to_x(double x) const { return m_left + (x - m_x0) / (m_x1 - m_x0) * (m_right - m_left); }
   double to_y(double y) const
   {
@@ -176,6 +201,17 @@ private:
 
   void draw_vertical_axis()
   {
+    if(is_linear())
+    {
+      const int number = int(std::lround((m_y1 - m_y0) / m_y_step));
+      for(int i = 0; i <= number; ++i)
+      {
+        const double y = m_y0 + m_y_step * i;
+        m_svg.draw_grid_line(m_left, to_y(y), m_right, to_y(y));
+        m_svg.draw_label(m_left - 6., to_y(y) + 4., "end", format_significant(y));
+      }
+      return;
+    }
     for(int decade = int(m_y0); decade <= int(m_y1); ++decade)
     {
       m_svg.draw_grid_line(m_left, to_y(decade), m_right, to_y(decade));
@@ -186,6 +222,16 @@ private:
 
   void draw_horizontal_axis()
   {
+    if(is_linear())
+    {
+      const double x_step = step(m_x1 - m_x0);
+      for(double x = x_step * std::ceil(m_x0 / x_step); x <= m_x1; x += x_step)
+      {
+        m_svg.draw_grid_line(to_x(x), top_margin, to_x(x), bottom);
+        m_svg.draw_label(to_x(x), bottom + 16., "middle", format_significant(x));
+      }
+      return;
+    }
     for(int decade = int(std::floor(m_x0)); decade <= int(std::ceil(m_x1)); ++decade)
       for(const double digit : {1., 2., 5.})
       {
@@ -203,7 +249,7 @@ private:
   {
     std::vector<std::array<double, 2>> points;
     for(const auto& point : series.points)
-      points.push_back({to_x(std::log10(point[0])), to_y(std::log10(point[1]))});
+      points.push_back({to_x(to_axis(point[0])), to_y(to_axis(point[1]))});
     m_svg.draw_polyline(points, series.style);
     for(const auto& point : points)
       m_svg.draw_marker(point[0], point[1], series.style);
@@ -217,13 +263,14 @@ private:
   Svg_writer& m_svg;
   const Panel& m_panel;
   double m_left, m_right; // of the frame
-  // Ranges of the axes, as base-10 logarithms.
+  // Ranges of the axes, as values or base-10 logarithms.
   double m_x0 = std::numeric_limits<double>::infinity(), m_x1 = -m_x0, m_y0 = m_x0, m_y1 = m_x1;
+  double m_y_step = 1.; // between grid lines
   bool m_is_empty = true;
 };
 
-// Writes an SVG file with one panel per element of `panels`, in a row. Each panel plots errors over
-// a second quantity, both on logarithmic axes. Returns false if the file cannot be written.
+// Writes an SVG file with one panel per element of `panels`, in a row. Each panel plots errors or
+// distances over a second quantity. Returns false if the file cannot be written.
 inline bool write_error_plot(const std::string& file, const std::vector<Panel>& panels)
 {
   std::size_t rows = 0;

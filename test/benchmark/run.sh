@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs missing packages, builds and runs the benchmarks, prints tables and writes four plots.
+# Installs missing packages, builds and runs the benchmarks, prints tables and writes five plots.
 # Takes about forty minutes.  Run it on an idle machine.
 #   --quick      small meshes only, a minute
 #   --patient    also run CGAL's exact distances and as-rigid-as-possible maps if they take minutes
@@ -31,7 +31,7 @@ done
 [ ${#programs[@]} -gt 0 ] ||
   programs=(accuracy error_distribution speed soups exact sampling remeshing cloud_errors surfels
             surfel_scans logmap decal flattening base wavelets transport transport_bounds
-            transport_family transport_claims regions flows barycenters means volumes)
+            transport_family transport_claims transport_times regions flows barycenters means volumes)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
@@ -56,6 +56,7 @@ for program in "${programs[@]}"; do
     wavelets) arguments+=("$build/rate_distortion.svg") ;;
     exact) arguments+=("${patient[@]}" "$build/trade_off.svg") ;;
     flattening) arguments+=("${patient[@]}") ;;
+    transport_claims) arguments+=("$build/basis_size.svg") ;;
   esac
   printf '\n'
   "$build/test/benchmark/$program" "${arguments[@]}" || exit 1
