@@ -228,7 +228,8 @@ private:
       for(double x = x_step * std::ceil(m_x0 / x_step); x <= m_x1; x += x_step)
       {
         m_svg.draw_grid_line(to_x(x), top_margin, to_x(x), bottom);
-        m_svg.draw_label(to_x(x), bottom + 16., "middle", format_significant(x));
+        m_svg.draw_label(to_x(x), bottom + 16., "middle",
+                         format_significant(x + 0.)); // -0 becomes 0
       }
       return;
     }

@@ -31,7 +31,8 @@ done
 [ ${#programs[@]} -gt 0 ] ||
   programs=(accuracy error_distribution speed soups exact sampling remeshing cloud_errors surfels
             surfel_scans logmap decal flattening base wavelets transport transport_bounds
-            transport_family transport_claims transport_times regions flows barycenters means volumes)
+            transport_family transport_claims transport_times regions flows barycenters means
+            volumes)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \

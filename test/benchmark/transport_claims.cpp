@@ -300,7 +300,10 @@ void print_basis_sizes(bool is_quick, const std::string& plot_file)
     Transport_options options;
     options.tolerance = tolerance;
     const double all_flows = solver.solve(Vector(difference.col(0)), options).value;
-    Panel panel{name, "basis size", {}, Axes::linear};
+    Panel panel{"distance of two densities, " + name.substr(0, name.find('_')),
+                "basis size",
+                {},
+                Axes::linear};
     panel.series.push_back({"all flows", 0, std::nan(""), {}});
     for(const bool is_paper : {true, false})
     {
@@ -322,7 +325,7 @@ void print_basis_sizes(bool is_quick, const std::string& plot_file)
       table.add(row);
       panel.series.push_back(series);
     }
-    for(const auto& point : panel.series[1].points)
+    for(const auto& point : {panel.series[1].points.front(), panel.series[1].points.back()})
       panel.series[0].points.push_back({point[0], t->scale * all_flows});
     panels.push_back(panel);
   };
