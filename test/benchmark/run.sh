@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs missing packages, builds and runs the benchmarks, prints tables and writes five plots.
-# Takes about forty minutes.  Run it on an idle machine.
+# Takes about an hour.  Run it on an idle machine.
 #   --quick      small meshes only, a minute
 #   --patient    also run CGAL's exact distances and as-rigid-as-possible maps if they take minutes
 #   NAME         run only this benchmark (the name of a source file without its extension)
