@@ -133,7 +133,7 @@ double mean_normal_angle(const Surface_arrays& t, const Surface_location& locati
 
 Log_map_fit::Log_map_fit(std::vector<Vec2> stencil) : m_stencil(std::move(stencil)) {}
 
-Vec2 Log_map_fit::operator()(double distance, const double* stencil_distances) const
+Vec2 Log_map_fit::gradient(double distance, const double* stencil_distances) const
 {
   Normal_matrix matrix;
   Vec2 sum = {0., 0.};
@@ -148,9 +148,13 @@ Vec2 Log_map_fit::operator()(double distance, const double* stencil_distances) c
   }
   if(!matrix.is_regular())
     return {0., 0.};
-  const Vec2 direction = -1. * matrix.solve(sum);
+  return -1. * matrix.solve(sum);
+}
+
+Vec2 Log_map_fit::with_length(const Vec2& direction, double length)
+{
   const double size = norm(direction);
-  return size > 0. ? (distance / size) * direction : Vec2{0., 0.};
+  return size > 0. ? (length / size) * direction : Vec2{0., 0.};
 }
 
 Vec2 transported_step(const Tangent_plane& plane, const Vec3& normal, const Vec3& step)

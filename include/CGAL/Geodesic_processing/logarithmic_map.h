@@ -168,16 +168,37 @@ public:
   ///     \cgalParamType{`std::size_t`}
   ///     \cgalParamDefault{8}
   ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_smoothing_steps}
+  ///     \cgalParamDescription{the number of steps, at most 1000, in which `Gradient` smooths the
+  ///       squared distance maps before it differentiates them. A step replaces half of a value by
+  ///       a weighted mean of the adjacent ones. It changes directions only: the length of a
+  ///       vector is the distance. In the plane, exact vectors do not change. The boundary of the
+  ///       map is not smoothed}
+  ///     \cgalParamType{`std::size_t`}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_base_refinements}
+  ///     \cgalParamDescription{how many times, at most 8, the edges around the base point are
+  ///       halved before `Gradient` computes distances on the mesh. The surface does not change.
+  ///       Faces are divided up to the length of the stencil plus four mean lengths of the edges
+  ///       at the base point; this margin is halved with each refinement}
+  ///     \cgalParamType{`std::size_t`}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Invalid_argument_error if the base point is an isolated vertex, a length is negative
-  ///         or not a number, the stencil size is less than three, or the direction is normal to
-  ///         the surface
+  ///         or not a number, the stencil size is less than three, a number of steps or refinements
+  ///         is too large, or the direction is normal to the surface
   /// \throws Invalid_argument_error if the base point does not belong to the surface
   /// \throws Unsupported_surface_error if `Exact` exceeds its limit of windows. Then nothing is
   ///         inside the map. After an `Invalid_argument_error` the last map remains.
+  /// \throws Unsupported_surface_error if there are smoothing steps or base refinements and the
+  ///         method is not `Gradient`, or if there are base refinements on a cloud. Then the last
+  ///         map remains.
   ///
   /// `Gradient` takes the time of a distance computation from the base point and from each location
-  /// of the stencil. `Exact` takes the time of one exact computation. `Discrete_exponential`
+  /// of the stencil. A smoothing step adds O(m) time for m reached vertices or surfels, and a base
+  /// refinement adds O(n) time, for n vertices of the refined mesh. `Exact` takes the time of one exact computation. `Discrete_exponential`
   /// takes O(m log m) time for m reached vertices or surfels.
   template <typename Place, typename NamedParameters = internal::Default_parameters>
   void compute(const Place& base, const NamedParameters& np = NamedParameters());
@@ -298,10 +319,15 @@ void Logarithmic_map<Surface, Method>::compute(const Place& base, const NamedPar
   options.maximum_distance = internal::limits(m_domain, np).maximum_distance;
   options.stencil_length = parameter(np, internal_np::stencil_length, 0.) / scale();
   options.stencil_size = parameter(np, internal_np::stencil_size, options.stencil_size);
+  options.number_of_smoothing_steps =
+      parameter(np, internal_np::number_of_smoothing_steps, options.number_of_smoothing_steps);
+  options.number_of_base_refinements =
+      parameter(np, internal_np::number_of_base_refinements, options.number_of_base_refinements);
   if(!(options.stencil_length >= 0.))
     throw Invalid_argument_error("The length of the stencil is negative or not a number.");
   if(options.stencil_size < 3)
     throw Invalid_argument_error("The stencil must have at least 3 points.");
+  m_engine.check(options);
   m_plane.emplace(internal::oriented_tangent_plane(m_domain, base, np));
   for(const internal::Index vertex : m_reached)
     m_coordinates[vertex] = outside;

@@ -59,6 +59,8 @@ namespace CGAL::Geodesic_processing {
   NAME(number_of_neighbors)                                                                        \
   NAME(stencil_length)                                                                             \
   NAME(stencil_size)                                                                               \
+  NAME(number_of_smoothing_steps)                                                                  \
+  NAME(number_of_base_refinements)                                                                 \
   NAME(up_direction)                                                                               \
   NAME(tolerance)                                                                                  \
   NAME(maximum_number_of_iterations)                                                               \

@@ -22,6 +22,9 @@ struct Log_map_options
   double maximum_distance = infinity;
   double stencil_length = 0.;   // in the scale of the surface arrays; 0: chosen automatically
   std::size_t stencil_size = 8; // number of stencil directions
+  // Of Gradient_engine; see smooth_gradients() and refine_around_base().
+  std::size_t number_of_smoothing_steps = 0;
+  std::size_t number_of_base_refinements = 0;
 };
 
 // Receives a vertex and its tangent vector.
@@ -29,6 +32,9 @@ using Log_visitor = std::function<void(Index, const Vec2&)>;
 
 // Computes the logarithmic map from gradients of squared distances (see Log_map_fit). The engine of
 // the method runs once from the base point and once from each location of a stencil around it.
+//
+// If the base is refined, these queries run on a mesh whose edges are shorter around the stencil.
+// If the map is smoothed, the directions change and the lengths remain the distances.
 class CGAL_GEODESIC_PROCESSING_EXPORT Gradient_engine
 {
 public:
@@ -43,6 +49,7 @@ private:
   Stencil make_stencil(const Tangent_plane& plane, const std::vector<Index>& vertices,
                        const std::vector<double>& distances, double length, std::size_t size);
 
+  Distance_method m_method;
   std::shared_ptr<const Surface_arrays> m_triangles;
   Distance_engine m_engine;
   std::vector<double>
@@ -101,9 +108,15 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Log_engine
 public:
   Log_engine(const Log_kind& kind, std::shared_ptr<const Surface_arrays> triangles);
 
+  // Throws Invalid_argument_error if an option is out of its range, and Unsupported_surface_error
+  // if the method or the surface does not admit it.
+  void check(const Log_map_options& options) const;
+
+  // Requires options that pass check().
   void run(const Tangent_plane& plane, const Log_map_options& options, const Log_visitor& visit);
 
 private:
+  bool m_is_cloud;
   std::variant<Gradient_engine, Exact_log_engine, Discrete_exponential_engine> m_engine;
 };
 

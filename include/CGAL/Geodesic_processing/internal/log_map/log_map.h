@@ -64,7 +64,17 @@ public:
   // stencil_distances  #stencil: d(q_j, x); infinite ones are ignored
   //
   // Returns zero if the remaining stencil vectors are almost parallel.
-  Vec2 operator()(double distance, const double* stencil_distances) const;
+  Vec2 operator()(double distance, const double* stencil_distances) const
+  {
+    return with_length(gradient(distance, stencil_distances), distance);
+  }
+
+  // Returns the least-squares solution itself, whose length is not the distance: -1/2 times the
+  // gradient of d^2(., x) at the base point.
+  Vec2 gradient(double distance, const double* stencil_distances) const;
+
+  // Returns the vector of a length in the direction of another one; zero if that is zero.
+  static Vec2 with_length(const Vec2& direction, double length);
 
 private:
   std::vector<Vec2> m_stencil;
