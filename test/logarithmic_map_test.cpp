@@ -160,6 +160,25 @@ TEST(logarithmic_map, distortion_matches_curvature)
   expect_theory(mesh_of(patch.surface), Vertex(patch.base), -1.);
 }
 
+TEST(logarithmic_map, metric_matches_curvature)
+{
+  // g_ij = delta_ij - 1/3 R_ikjl u^k u^l up to higher orders, whose curvature tensor has the
+  // Gaussian curvature as its only component.
+  const auto expect_metric = [](const Mesh& mesh, Vertex base, double curvature)
+  {
+    GP::Logarithmic_map<Mesh> map(mesh);
+    map.compute(base, GP::parameters::maximum_distance(0.65).stencil_length(0.2));
+    const Metric_expansion found = fitted_metric(metrics_around(mesh, map, 0.05, 0.6));
+    // Measured: below 0.006, 0.0005 and 0.002.
+    EXPECT_LT(quadratic_error(found, curvature), 0.02);
+    EXPECT_LT(base_errors(found)[0], 0.002);
+    EXPECT_LT(base_errors(found)[1], 0.01);
+  };
+  expect_metric(mesh_of(icosphere(5)), Vertex(1000), 1.);
+  const Hyperbolic_patch patch = hyperbolic_patch(40, 0.2);
+  expect_metric(mesh_of(patch.surface), Vertex(patch.base), -1.);
+}
+
 TEST(logarithmic_map, has_bounded_departure_from_linearity)
 {
   // Measured with `Exact`: 0.20, 0.23 and 0.26. An orthogonal projection yields 1.5, 8 and 30,
@@ -318,6 +337,180 @@ TEST(logarithmic_map, copies_share_fitted_surface_of_cloud)
     EXPECT_EQ(image.surfel, expected.surfel);
     EXPECT_EQ(image.offset, expected.offset);
   }
+}
+
+// Returns the root mean square of the angles between a map and the sphere, up to a rotation.
+template <typename Method, typename NamedParameters>
+double angular_error(const Mesh& mesh, Vertex base, const NamedParameters& np)
+{
+  GP::Logarithmic_map<Mesh, Method> map(mesh);
+  map.compute(base, np.maximum_distance(1.));
+  const auto frame = map.frame();
+  std::vector<double> angles;
+  double x = 0., y = 0.;
+  for(const Vertex v : map.reached())
+  {
+    const auto found = map(v), expected = vector_on_sphere(frame, mesh.point(v));
+    if(v == base)
+      continue;
+    angles.push_back(std::atan2(found[1], found[0]) - std::atan2(expected[1], expected[0]));
+    x += std::cos(angles.back());
+    y += std::sin(angles.back());
+  }
+  double sum = 0.;
+  for(const double angle : angles)
+    sum += std::pow(std::remainder(angle - std::atan2(y, x), 2. * CGAL_PI), 2);
+  return std::sqrt(sum / double(angles.size()));
+}
+
+// Expects smaller angular errors with 30 smoothing steps, with three base refinements and with both,
+// relative to the errors without.
+template <typename Method>
+void expect_smaller_errors(const Mesh& mesh, double smoothing, double refinement, double both)
+{
+  for(const unsigned i : {3u, 777u, 1500u})
+  {
+    const Vertex base(i);
+    const auto np = GP::parameters::stencil_length(0.);
+    const double plain = angular_error<Method>(mesh, base, np);
+    EXPECT_LT(angular_error<Method>(mesh, base, np.number_of_smoothing_steps(30)),
+              smoothing * plain);
+    EXPECT_LT(angular_error<Method>(mesh, base, np.number_of_base_refinements(3)),
+              refinement * plain);
+    EXPECT_LT(angular_error<Method>(mesh, base,
+                                    np.number_of_smoothing_steps(30).number_of_base_refinements(3)),
+              both * plain);
+  }
+}
+
+TEST(logarithmic_map, smoothing_and_refinement_reduce_errors)
+{
+  // A sphere of 2,562 vertices with uniform noise of up to 0.08 edge lengths.
+  const Mesh mesh = mesh_of(jittered(icosphere(4), 0.006));
+  expect_smaller_errors<GP::Gradient<GP::Fast_marching>>(mesh, 0.8, 0.5, 0.35);
+  expect_smaller_errors<GP::Gradient<GP::Dijkstra>>(mesh, 0.8, 1., 0.7);
+}
+
+TEST(logarithmic_map, options_keep_lengths_and_exact_maps)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    const Mesh mesh = mesh_of(scaled(square(12, 0.25), scale));
+    GP::Logarithmic_map<Mesh> plain(mesh), map(mesh);
+    GP::Logarithmic_map<Mesh, GP::Gradient<GP::Dijkstra>> rough(mesh), smooth(mesh);
+    using Location = GP::Logarithmic_map<Mesh>::Location;
+    for(const Location& base :
+        {Location(Face(100), {0.2, 0.3, 0.5}), Location(Face(0), {1., 0., 0.}),
+         Location(Face(31), {0.4, 0.6, 0.})})
+    {
+      const auto np = GP::parameters::number_of_smoothing_steps(10).number_of_base_refinements(2);
+      plain.compute(base);
+      map.compute(base, np);
+      rough.compute(base);
+      smooth.compute(base, GP::parameters::number_of_smoothing_steps(10));
+      EXPECT_EQ(map.reached().size(), mesh.number_of_vertices());
+      double change = 0.;
+      for(const Vertex v : mesh.vertices())
+      {
+        // Fronts in the plane are exact up to round-off errors, which division by the length of the
+        // stencil amplifies.
+        EXPECT_NEAR(map(v)[0], plain(v)[0], 1e-11 * scale);
+        EXPECT_NEAR(map(v)[1], plain(v)[1], 1e-11 * scale);
+        EXPECT_NEAR(std::hypot(smooth(v)[0], smooth(v)[1]), std::hypot(rough(v)[0], rough(v)[1]),
+                    1e-15 * scale); // one division
+        change = std::max(change, std::fabs(smooth(v)[0] - rough(v)[0]));
+      }
+      EXPECT_GT(change, 1e-3 * scale);
+    }
+  }
+}
+
+TEST(logarithmic_map, options_are_off_by_default)
+{
+  const Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
+  GP::Logarithmic_map<Mesh, GP::Gradient<GP::Dijkstra>> map(mesh), other(mesh);
+  map.compute(Vertex(5));
+  // A map with options leaves no traces in the next one.
+  other.compute(Vertex(5),
+                GP::parameters::number_of_smoothing_steps(3).number_of_base_refinements(1));
+  other.compute(Vertex(5),
+                GP::parameters::number_of_smoothing_steps(0).number_of_base_refinements(0));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(map(v), other(v));
+}
+
+TEST(logarithmic_map, refinement_does_not_change_the_surface)
+{
+  // Exact distances on the refined mesh are those of the mesh.
+  const Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
+  GP::Logarithmic_map<Mesh, GP::Gradient<GP::Exact>> map(mesh), refined(mesh);
+  map.compute(Vertex(5));
+  refined.compute(Vertex(5), GP::parameters::number_of_base_refinements(2));
+  for(const Vertex v : mesh.vertices())
+    for(int k = 0; k < 2; ++k)
+      // Round-off errors of windows, divided by the length of the stencil.
+      EXPECT_NEAR(map(v)[k], refined(v)[k], 1e-10);
+}
+
+TEST(logarithmic_map, options_are_limited_to_the_component_and_the_radius)
+{
+  const Mesh mesh = mesh_of(disjoint_union(icosphere(2), scaled(icosphere(2), 3.)));
+  GP::Logarithmic_map<Mesh> plain(mesh), map(mesh);
+  const auto np = GP::parameters::maximum_distance(1.);
+  plain.compute(Vertex(5), np);
+  map.compute(Vertex(5), np.number_of_smoothing_steps(5).number_of_base_refinements(1));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(plain.is_inside(v), map.is_inside(v));
+  EXPECT_LT(map.reached().size(), 162u / 2);
+}
+
+TEST(logarithmic_map, smoothing_reduces_errors_on_clouds)
+{
+  const Surfels surfels = sphere_surfels(4);
+  const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  const auto error = [&](std::size_t steps, unsigned number_of_threads)
+  {
+    GP::Logarithmic_map<Surfels, GP::Gradient<GP::Dijkstra>> map(
+        GP::make_domain(surfels, np.number_of_threads(number_of_threads)));
+    map.compute(std::size_t(9),
+                GP::parameters::maximum_distance(1.).number_of_smoothing_steps(steps));
+    return mean_error_on_sphere(map, [&](std::size_t i) { return surfels[i].first; });
+  };
+  EXPECT_LT(error(20, 1), 0.9 * error(0, 1));
+  EXPECT_EQ(error(20, 1), error(20, 2));
+}
+
+TEST(logarithmic_map, rejects_options_without_effect)
+{
+  const auto smoothing = GP::parameters::number_of_smoothing_steps(1);
+  const auto refinement = GP::parameters::number_of_base_refinements(1);
+  const Mesh mesh = mesh_of(square(3));
+  GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
+  exact.compute(Vertex(5));
+  const auto before = exact(Vertex(0));
+  EXPECT_THROW(exact.compute(Vertex(6), smoothing), GP::Unsupported_surface_error);
+  EXPECT_THROW(exact.compute(Vertex(6), refinement), GP::Unsupported_surface_error);
+  EXPECT_EQ(exact(Vertex(0)), before); // the last map remains
+  GP::Logarithmic_map<Mesh, GP::Discrete_exponential> discrete(mesh);
+  EXPECT_THROW(discrete.compute(Vertex(6), smoothing), GP::Unsupported_surface_error);
+  EXPECT_THROW(discrete.compute(Vertex(6), refinement), GP::Unsupported_surface_error);
+  GP::Logarithmic_map<Mesh> map(mesh);
+  EXPECT_THROW(map.compute(Vertex(0), GP::parameters::number_of_smoothing_steps(1001)),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(map.compute(Vertex(0), GP::parameters::number_of_base_refinements(-1)),
+               GP::Invalid_argument_error);
+
+  const Surfels surfels = sphere_surfels(2);
+  GP::Logarithmic_map<Surfels> on_cloud(
+      surfels, GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
+  EXPECT_THROW(on_cloud.compute(std::size_t(0), refinement), GP::Unsupported_surface_error);
+  EXPECT_NO_THROW(on_cloud.compute(std::size_t(0), smoothing.number_of_base_refinements(0)));
+
+  CGAL::Polyhedron_3<Kernel> polyhedron;
+  CGAL::copy_face_graph(mesh, polyhedron);
+  GP::Logarithmic_map<CGAL::Polyhedron_3<Kernel>> on_polyhedron(polyhedron);
+  on_polyhedron.compute(*vertices(polyhedron).begin(), smoothing.number_of_base_refinements(1));
+  EXPECT_EQ(on_polyhedron.reached().size(), num_vertices(polyhedron));
 }
 
 TEST(logarithmic_map, throws_on_invalid_input)

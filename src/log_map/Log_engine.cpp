@@ -34,12 +34,15 @@ Engine make_engine(const Log_kind& kind, std::shared_ptr<const Surface_arrays> t
   }
 }
 
-// More steps do not reduce the errors further: the vectors are averaged over 20 edges.
+// On spheres of 2,562 vertices, no error decreases further after 100 steps; see the benchmark
+// `logmap`.
 constexpr std::size_t max_smoothing_steps = 1000;
-// The stencil is then resolved by more than 2^8 edges, and by 4^8 times as many faces.
+// With eight refinements, the mesh around the stencil has 4^8 times as many faces.
 constexpr std::size_t max_base_refinements = 8;
-// Width in edge lengths of the ring of shorter edges around the stencil. With 2 rings instead of 4,
-// errors of fast marching are reduced less; 8 rings quadruple the faces for little more.
+// Width in edge lengths of the ring of shorter edges around the stencil. On a sphere of 2,562
+// vertices with noise of 5 % of an edge length, the error of fast marching with three refinements
+// is 1.5, 1.2 and 0.9 degrees for widths of 2, 4 and 8, and 3.4 degrees without refinements. A
+// further refinement costs about as much as the width of 8 and has an error of 1.1 degrees.
 constexpr double refinement_margin = 4.;
 
 // Computes distances from single locations, on the surface of an engine or on a refinement of it.

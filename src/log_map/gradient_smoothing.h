@@ -18,8 +18,9 @@ namespace CGAL::Geodesic_processing::internal {
 // In a step, each vertex gets the mean of its value and of the weighted mean of its neighbors, with
 // mean value weights (Floater 2003). The weights are positive, so that no step amplifies an error.
 // They reproduce linear functions of the plane: exact vectors in the plane do not change. In the
-// plane, the weighted mean of a squared distance from any source is that distance plus the same
-// constant, which cancels between base point and stencil.
+// plane, the weighted mean of the squared distances from any source is the squared distance of the
+// vertex plus a number that does not depend on the source. It cancels between base point and
+// stencil.
 //
 // A vertex is not smoothed if it is the base point, if it is on the boundary, if a neighbor is
 // outside the map, or if the map is discontinuous along one of its edges. On a cloud, a surfel

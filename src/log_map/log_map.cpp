@@ -148,7 +148,7 @@ Vec2 Log_map_fit::gradient(double distance, const double* stencil_distances) con
   }
   if(!matrix.is_regular())
     return {0., 0.};
-  return -1. * matrix.solve(sum);
+  return -0.5 * matrix.solve(sum);
 }
 
 Vec2 Log_map_fit::with_length(const Vec2& direction, double length)

@@ -13,6 +13,8 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -158,6 +160,119 @@ inline double fitted_coefficient(const Measure_asymptotics& measure,
     by += weight * b * y;
   }
   return (ay * bb - by * ab) / (aa * bb - ab * ab);
+}
+
+// The metric of a map in a face.
+struct Face_metric
+{
+  std::array<double, 2> center; // the image of the centroid
+  std::array<double, 3> entry;  // g_11, g_12 and g_22
+  double area;                  // of the image
+};
+
+// Returns the metrics G = (A A^T)^-1 of the faces whose distance from the base of a map is in an
+// interval, where A maps the edge vectors of a face to those of its image. If the columns of X and
+// U are two edge vectors and their images, A = U (X^T X)^-1 X^T and G = U^-T X^T X U^-1.
+template <typename Mesh, typename Map>
+std::vector<Face_metric> metrics_around(const Mesh& mesh, const Map& map, double from, double to)
+{
+  const auto points = get(CGAL::vertex_point, mesh);
+  std::vector<Face_metric> result;
+  for(const auto face : faces(mesh))
+  {
+    const auto h = halfedge(face, mesh);
+    const std::array corner = {source(h, mesh), target(h, mesh), target(next(h, mesh), mesh)};
+    Eigen::Matrix2d images, squares;
+    std::array<double, 2> center = {0., 0.};
+    for(int i = 0; i < 2; ++i)
+    {
+      for(int j = 0; j < 2; ++j)
+      {
+        images(i, j) = map(corner[j + 1])[i] - map(corner[0])[i];
+        squares(i, j) = (get(points, corner[i + 1]) - get(points, corner[0])) *
+                        (get(points, corner[j + 1]) - get(points, corner[0]));
+      }
+      center[i] = (map(corner[0])[i] + map(corner[1])[i] + map(corner[2])[i]) / 3.;
+    }
+    const double distance = std::hypot(center[0], center[1]);
+    if(!(distance >= from && distance <= to)) // true for NaN
+      continue;
+    const Eigen::Matrix2d inverse = images.inverse();
+    const Eigen::Matrix2d g = inverse.transpose() * squares * inverse;
+    result.push_back({center, {g(0, 0), g(0, 1), g(1, 1)}, std::fabs(images.determinant()) / 2.});
+  }
+  return result;
+}
+
+// The second-order expansion of the metric in normal coordinates, I - 1/3 R_ikjl u^k u^l, at the
+// coordinates u: the entries 11, 12 and 22 for Gaussian curvature k at the base.
+inline std::array<double, 3> expanded_metric(double k, const std::array<double, 2>& u)
+{
+  return {1. - k / 3. * u[1] * u[1], k / 3. * u[0] * u[1], 1. - k / 3. * u[0] * u[0]};
+}
+
+// The Taylor coefficients of the entries 11, 12 and 22 of a metric at the base.
+struct Metric_expansion
+{
+  std::array<double, 3> constant;
+  std::array<std::array<double, 2>, 3> linear;    // of u_1 and u_2
+  std::array<std::array<double, 3>, 3> quadratic; // of u_1^2, u_1 u_2 and u_2^2
+};
+
+// Fits polynomials of degree four to the entries, by least squares weighted by area.
+inline Metric_expansion fitted_metric(const std::vector<Face_metric>& faces)
+{
+  constexpr int number_of_terms = 15;
+  Eigen::MatrixXd terms(faces.size(), number_of_terms), entries(faces.size(), 3);
+  for(std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const double weight = std::sqrt(faces[f].area);
+    const auto row = Eigen::Index(f);
+    int column = 0;
+    for(int degree = 0; degree <= 4; ++degree)
+      for(int k = 0; k <= degree; ++k)
+        terms(row, column++) =
+            weight * std::pow(faces[f].center[0], degree - k) * std::pow(faces[f].center[1], k);
+    for(int i = 0; i < 3; ++i)
+      entries(row, i) = weight * faces[f].entry[std::size_t(i)];
+  }
+  const Eigen::MatrixXd solution = terms.householderQr().solve(entries);
+  Metric_expansion result;
+  for(int i = 0; i < 3; ++i)
+  {
+    const auto e = std::size_t(i);
+    result.constant[e] = solution(0, i);
+    result.linear[e] = {solution(1, i), solution(2, i)};
+    result.quadratic[e] = {solution(3, i), solution(4, i), solution(5, i)};
+  }
+  return result;
+}
+
+// Returns the largest difference of the quadratic coefficients from those of expanded_metric().
+inline double quadratic_error(const Metric_expansion& found, double k)
+{
+  const double c = k / 3.;
+  const std::array<std::array<double, 3>, 3> expected = {{{0., 0., -c}, {0., c, 0.}, {-c, 0., 0.}}};
+  double result = 0.;
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      result = std::max(result, std::fabs(found.quadratic[i][j] - expected[i][j]));
+  return result;
+}
+
+// Returns the largest difference of the metric at the base from the unit matrix, and the largest
+// first derivative.
+inline std::array<double, 2> base_errors(const Metric_expansion& found)
+{
+  const std::array<double, 3> unit_matrix = {1., 0., 1.};
+  std::array<double, 2> result = {0., 0.};
+  for(int i = 0; i < 3; ++i)
+  {
+    result[0] = std::max(result[0], std::fabs(found.constant[i] - unit_matrix[i]));
+    for(const double derivative : found.linear[i])
+      result[1] = std::max(result[1], std::fabs(derivative));
+  }
+  return result;
 }
 
 // Returns the maximum of |d(x, y) - |f(x) - f(y)|| / |f(y)|^2 over the neighbors y of the base and

@@ -69,8 +69,8 @@ public:
     return with_length(gradient(distance, stencil_distances), distance);
   }
 
-  // Returns the least-squares solution itself, whose length is not the distance: -1/2 times the
-  // gradient of d^2(., x) at the base point.
+  // Returns -1/2 times the fitted gradient of d^2(., x) at the base point. Its length differs from
+  // the distance by the error of the fit.
   Vec2 gradient(double distance, const double* stencil_distances) const;
 
   // Returns the vector of a length in the direction of another one; zero if that is zero.
