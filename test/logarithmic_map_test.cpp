@@ -169,10 +169,10 @@ TEST(logarithmic_map, metric_matches_curvature)
     GP::Logarithmic_map<Mesh> map(mesh);
     map.compute(base, GP::parameters::maximum_distance(0.65).stencil_length(0.2));
     const Metric_expansion found = fitted_metric(metrics_around(mesh, map, 0.05, 0.6));
-    // Measured: below 0.006, 0.0005 and 0.002.
-    EXPECT_LT(quadratic_error(found, curvature), 0.02);
-    EXPECT_LT(base_errors(found)[0], 0.002);
-    EXPECT_LT(base_errors(found)[1], 0.01);
+    // Measured: 0.003, 0.0001 and 0.0004 at most.
+    EXPECT_LT(quadratic_error(found, curvature), 0.01);
+    EXPECT_LT(base_errors(found)[0], 0.0005);
+    EXPECT_LT(base_errors(found)[1], 0.002);
   };
   expect_metric(mesh_of(icosphere(5)), Vertex(1000), 1.);
   const Hyperbolic_patch patch = hyperbolic_patch(40, 0.2);
@@ -363,8 +363,8 @@ double angular_error(const Mesh& mesh, Vertex base, const NamedParameters& np)
   return std::sqrt(sum / double(angles.size()));
 }
 
-// Expects smaller angular errors with 30 smoothing steps, with three base refinements and with both,
-// relative to the errors without.
+// Expects smaller angular errors with 30 smoothing steps, with three base refinements and with
+// both. The three numbers are ratios to the error without options.
 template <typename Method>
 void expect_smaller_errors(const Mesh& mesh, double smoothing, double refinement, double both)
 {
@@ -387,6 +387,7 @@ TEST(logarithmic_map, smoothing_and_refinement_reduce_errors)
 {
   // A sphere of 2,562 vertices with uniform noise of up to 0.08 edge lengths.
   const Mesh mesh = mesh_of(jittered(icosphere(4), 0.006));
+  // Measured: at most 0.62, 0.36 and 0.20, and with Dijkstra at most 0.60, 0.90 and 0.49.
   expect_smaller_errors<GP::Gradient<GP::Fast_marching>>(mesh, 0.8, 0.5, 0.35);
   expect_smaller_errors<GP::Gradient<GP::Dijkstra>>(mesh, 0.8, 1., 0.7);
 }
@@ -476,7 +477,7 @@ TEST(logarithmic_map, smoothing_reduces_errors_on_clouds)
                 GP::parameters::maximum_distance(1.).number_of_smoothing_steps(steps));
     return mean_error_on_sphere(map, [&](std::size_t i) { return surfels[i].first; });
   };
-  EXPECT_LT(error(20, 1), 0.9 * error(0, 1));
+  EXPECT_LT(error(20, 1), 0.9 * error(0, 1)); // measured: 0.85
   EXPECT_EQ(error(20, 1), error(20, 2));
 }
 

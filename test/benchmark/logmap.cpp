@@ -3,6 +3,8 @@
 //
 // Measures the errors of normal coordinates, and verifies theoretical properties of them.
 #include <CGAL/Geodesic_processing.h>
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
+#include <CGAL/Geodesic_processing/internal/log_map/log_map.h>
 
 #include "clouds.h"
 #include "models.h"
@@ -463,6 +465,197 @@ void compare_with_theory(bool quick)
       theory_stencil_length);
 }
 
+// A surface with a known Gaussian curvature at a base vertex, at several resolutions.
+struct Curved_surface
+{
+  std::string name;
+  std::vector<Mesh> meshes;
+  std::vector<Vertex> bases;
+  std::vector<double> curvatures; // at the bases
+};
+
+// Returns the graph z = (x^2 + sign y^2) / 2 over [-1, 1]^2 with a base at about (x, 0).
+Curved_surface quadric(const std::string& name, double sign, double x,
+                       const std::vector<std::size_t>& sizes)
+{
+  Curved_surface result{name, {}, {}, {}};
+  for(const std::size_t n : sizes)
+  {
+    const auto position = [sign](double u, double v) -> test::Point
+    {
+      const double px = 2. * u - 1., py = 2. * v - 1.;
+      return {px, py, (px * px + sign * py * py) / 2.};
+    };
+    result.meshes.push_back(mesh_of(test::grid(n, n, position, 0.2)));
+    const std::size_t column = std::size_t(double(n) * (x + 1.) / 2. + 0.5);
+    result.bases.emplace_back(Size(column + (n + 1) * (n / 2)));
+    const auto& p = result.meshes.back().point(result.bases.back());
+    result.curvatures.push_back(sign / std::pow(1. + p.x() * p.x() + p.y() * p.y(), 2));
+  }
+  return result;
+}
+
+std::vector<Curved_surface> curved_surfaces(bool quick)
+{
+  Curved_surface sphere{"sphere", {}, {}, {}};
+  for(const unsigned level : quick ? std::vector<unsigned>{4, 5} : std::vector<unsigned>{5, 6, 7})
+  {
+    sphere.meshes.push_back(icosphere(level));
+    sphere.bases.emplace_back(100);
+    sphere.curvatures.push_back(1.);
+  }
+  const std::vector<std::size_t> sizes =
+      quick ? std::vector<std::size_t>{40, 80} : std::vector<std::size_t>{80, 160, 320};
+  return {sphere, quadric("paraboloid, apex", 1., 0., sizes),
+          quadric("paraboloid, x = 0.3", 1., 0.3, sizes), quadric("saddle", -1., 0., sizes)};
+}
+
+constexpr double metric_radius = 0.6;
+
+// Computes the metrics of the faces around a base, in normal coordinates.
+template <typename Method>
+std::vector<test::Face_metric> metrics(const Mesh& mesh, Vertex base)
+{
+  GP::Logarithmic_map<Mesh, Method> map(mesh);
+  map.compute(
+      base,
+      GP::parameters::maximum_distance(metric_radius + 0.05).stencil_length(theory_stencil_length));
+  return test::metrics_around(mesh, map, 0.02, metric_radius);
+}
+
+template <typename Method>
+void add_metric_rows(Table& table, const std::string& method, const Curved_surface& surface)
+{
+  for(std::size_t i = 0; i < surface.meshes.size(); ++i)
+  {
+    const double k = surface.curvatures[i];
+    const auto found = test::fitted_metric(metrics<Method>(surface.meshes[i], surface.bases[i]));
+    const auto& q = found.quadratic;
+    const double other = std::max({std::fabs(q[0][0]), std::fabs(q[0][1]), std::fabs(q[1][0]),
+                                   std::fabs(q[1][2]), std::fabs(q[2][1]), std::fabs(q[2][2])});
+    const auto [constant, linear] = test::base_errors(found);
+    table.add({surface.name, method, std::to_string(num_vertices(surface.meshes[i])),
+               format_fixed(k / 3., 4), format_fixed(q[0][2], 4), format_fixed(q[1][1], 4),
+               format_fixed(q[2][0], 4), format_significant(other), format_significant(constant),
+               format_significant(linear)});
+  }
+}
+
+// Returns root mean squares over the faces in an interval of distances: of the difference of the
+// metric from the unit matrix, and from its second-order expansion (Frobenius norms).
+std::array<double, 2> metric_residuals(const std::vector<test::Face_metric>& faces, double k,
+                                       double from, double to)
+{
+  std::array<double, 2> result = {0., 0.};
+  double area = 0.;
+  for(const test::Face_metric& face : faces)
+  {
+    const double distance = std::hypot(face.center[0], face.center[1]);
+    if(distance < from || distance > to)
+      continue;
+    area += face.area;
+    for(const int order : {0, 1})
+    {
+      const auto expected = test::expanded_metric(order * k, face.center);
+      const double d11 = face.entry[0] - expected[0], d12 = face.entry[1] - expected[1],
+                   d22 = face.entry[2] - expected[2];
+      result[std::size_t(order)] += face.area * (d11 * d11 + 2. * d12 * d12 + d22 * d22);
+    }
+  }
+  return {std::sqrt(result[0] / area), std::sqrt(result[1] / area)};
+}
+
+template <typename Method>
+void add_residual_rows(Table& table, const std::string& method, const Curved_surface& surface)
+{
+  for(std::size_t i = 0; i < surface.meshes.size(); ++i)
+  {
+    const auto faces = metrics<Method>(surface.meshes[i], surface.bases[i]);
+    std::vector<std::string> row = {surface.name, method,
+                                    std::to_string(num_vertices(surface.meshes[i]))};
+    for(const double distance : {0.1, 0.2, 0.4, 0.6})
+    {
+      const auto residuals =
+          metric_residuals(faces, surface.curvatures[i], 0.8 * distance, distance);
+      row.push_back(format_significant(residuals[0]) + " / " + format_significant(residuals[1]));
+    }
+    table.add(row);
+  }
+}
+
+// Prints the mean metric of the faces around three locations of the sphere as a matrix.
+void print_metric_matrices(const Curved_surface& sphere)
+{
+  std::printf("Metric tensors (A A^T)^-1 on the sphere as g11 g12 g22: means over the faces whose "
+              "centers are at most\n0.05 from u, of the measured metrics, of the second-order "
+              "expansion, and of the metric of the sphere\n");
+  Table table({"u", "vertices", "Gradient", "Exact", "expansion", "sphere"});
+  const auto format = [](const std::array<double, 3>& g)
+  { return format_fixed(g[0], 4) + " " + format_fixed(g[1], 4) + " " + format_fixed(g[2], 4); };
+  const auto gradient = metrics<GP::Gradient<>>(sphere.meshes.back(), sphere.bases.back()),
+             exact = metrics<GP::Exact>(sphere.meshes.back(), sphere.bases.back());
+  for(const auto& [u, v] : {std::pair{0.1, 0.}, {0.4, 0.}, {0.3, 0.3}, {0., 0.5}})
+  {
+    const auto mean = [u = u, v = v](const auto& faces, auto entries)
+    {
+      std::array<double, 3> result = {0., 0., 0.};
+      double area = 0.;
+      for(const test::Face_metric& face : faces)
+        if(std::hypot(face.center[0] - u, face.center[1] - v) <= 0.05)
+        {
+          area += face.area;
+          for(std::size_t i = 0; i < 3; ++i)
+            result[i] += face.area * entries(face)[i];
+        }
+      for(double& entry : result)
+        entry /= area;
+      return result;
+    };
+    const auto measured = [](const test::Face_metric& face) { return face.entry; };
+    const auto expansion = [](const test::Face_metric& face)
+    { return test::expanded_metric(1., face.center); };
+    // 1 in the direction of u and (sin r / r)^2 normal to it.
+    const auto closed_form = [](const test::Face_metric& face)
+    {
+      const double r = std::hypot(face.center[0], face.center[1]),
+                   c = (1. - std::pow(std::sin(r) / r, 2)) / (r * r);
+      return test::expanded_metric(3. * c, face.center);
+    };
+    table.add({format_fixed(u, 1) + ", " + format_fixed(v, 1),
+               std::to_string(num_vertices(sphere.meshes.back())), format(mean(gradient, measured)),
+               format(mean(exact, measured)), format(mean(exact, expansion)),
+               format(mean(exact, closed_form))});
+  }
+  table.print();
+}
+
+void compare_metrics(bool quick)
+{
+  std::printf(
+      "Metric in normal coordinates: Taylor coefficients of its entries, fitted to the faces "
+      "within a distance\nof 0.6 by polynomials of degree four. In theory, the coefficient of v^2 "
+      "in g11 and of u^2 in g22 is -K/3,\nthat of uv in g12 is K/3, all other second-order "
+      "coefficients are zero, the constant is the unit matrix, and\nthe linear terms vanish. The "
+      "last three columns are the largest deviations.\n");
+  const std::vector<Curved_surface> surfaces = curved_surfaces(quick);
+  Table coefficients({"surface", "method", "vertices", "K/3", "g11 v^2", "g12 uv", "g22 u^2",
+                      "other", "constant", "linear"});
+  Table residuals({"surface", "method", "vertices", "0.1", "0.2", "0.4", "0.6"});
+  for(const Curved_surface& surface : surfaces)
+  {
+    add_metric_rows<GP::Gradient<>>(coefficients, "Gradient", surface);
+    add_metric_rows<GP::Exact>(coefficients, "Exact", surface);
+    add_residual_rows<GP::Gradient<>>(residuals, "Gradient", surface);
+    add_residual_rows<GP::Exact>(residuals, "Exact", surface);
+  }
+  coefficients.print();
+  std::printf("Metric in normal coordinates by distance r from the base: root mean square "
+              "differences of faces between\n0.8 r and r from the unit matrix / from the "
+              "second-order expansion\n");
+  residuals.print();
+  print_metric_matrices(surfaces.front());
+}
+
 // Returns the part of a sphere within `radius` of its first vertex, which keeps index 0.
 test::Triangulation spherical_cap(unsigned level, double radius)
 {
@@ -615,7 +808,8 @@ Noise_errors noise_errors(const Mesh& mesh, const GP::Logarithmic_map<Mesh, GP::
 
 template <typename Method>
 void add_noise_row(Table& table, const std::string& name, double noise, const Mesh& mesh,
-                   const std::vector<double>& rings)
+                   const std::vector<double>& rings, std::size_t smoothing_steps = 0,
+                   std::size_t base_refinements = 0)
 {
   GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
   GP::Logarithmic_map<Mesh, Method> map(exact.domain());
@@ -628,7 +822,9 @@ void add_noise_row(Table& table, const std::string& name, double noise, const Me
     exact.compute(base, limits);
     for(std::size_t i = 0; i < rings.size(); ++i)
     {
-      map.compute(base, limits.stencil_length(rings[i] * edge));
+      map.compute(base, limits.stencil_length(rings[i] * edge)
+                            .number_of_smoothing_steps(smoothing_steps)
+                            .number_of_base_refinements(base_refinements));
       const Noise_errors found = noise_errors(mesh, exact, map);
       errors[i].exact += found.exact / double(bases.size());
       errors[i].sphere += found.sphere / double(bases.size());
@@ -638,6 +834,100 @@ void add_noise_row(Table& table, const std::string& name, double noise, const Me
   for(const Noise_errors& e : errors)
     row.push_back(format_fixed(e.exact, 2) + " / " + format_fixed(e.sphere, 2));
   table.add(row);
+}
+
+// Adds the rows of a method: without options, with smoothed distance maps, with a refined mesh
+// around the base, and with both.
+template <typename Method>
+void add_noise_rows(Table& table, const std::string& name, double noise, const Mesh& mesh,
+                    const std::vector<double>& rings)
+{
+  add_noise_row<Method>(table, name, noise, mesh, rings);
+  add_noise_row<Method>(table, name + ", 10 steps", noise, mesh, rings, 10);
+  add_noise_row<Method>(table, name + ", 30 steps", noise, mesh, rings, 30);
+  add_noise_row<Method>(table, name + ", 3 refinements", noise, mesh, rings, 0, 3);
+  add_noise_row<Method>(table, name + ", 30 steps, 3 refinements", noise, mesh, rings, 30, 3);
+}
+
+// Adds a row of relative errors of lengths, in percent, against Exact on the same mesh: of the
+// distances, and of the lengths that the gradients have before they are replaced by the distances.
+void add_length_row(Table& table, const std::string& name, GP::internal::Distance_method method,
+                    double noise, const Mesh& mesh, const std::vector<double>& rings)
+{
+  using namespace GP::internal;
+  GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
+  const auto& triangles = exact.domain().triangles();
+  Distance_engine engine(method, triangles);
+  const double edge = mean_edge_length(mesh) / triangles->scale;
+  std::vector<double> squares(rings.size() + 1, 0.);
+  double count = 0.;
+  for(const Vertex base : random_vertices(mesh, 4))
+  {
+    exact.compute(base, GP::parameters::maximum_distance(1.));
+    const Surface_location location{none, exact.domain().index(base), {}};
+    const Tangent_plane plane(*triangles, location);
+    std::vector<Index> vertices;
+    std::vector<double> truths, distances;
+    engine.run({Front_source{{location}}});
+    for(const Vertex v : exact.reached())
+      if(v != base)
+      {
+        vertices.push_back(exact.domain().index(v));
+        truths.push_back(std::hypot(exact(v)[0], exact(v)[1]) / triangles->scale);
+        distances.push_back(engine.distance(vertices.back()));
+        squares[0] += std::pow(distances.back() / truths.back() - 1., 2);
+      }
+    count += double(vertices.size());
+    for(std::size_t k = 0; k < rings.size(); ++k)
+    {
+      const Stencil stencil = straightest_stencil(plane, rings[k] * edge, 8);
+      const std::size_t size = stencil.locations.size();
+      std::vector<double> to_stencil(vertices.size() * size);
+      for(std::size_t j = 0; j < size; ++j)
+      {
+        engine.run({Front_source{{stencil.locations[j]}}});
+        for(std::size_t i = 0; i < vertices.size(); ++i)
+          to_stencil[i * size + j] = engine.distance(vertices[i]);
+      }
+      const Log_map_fit fit(stencil.vectors);
+      for(std::size_t i = 0; i < vertices.size(); ++i)
+        squares[k + 1] +=
+            std::pow(norm(fit.gradient(distances[i], &to_stencil[i * size])) / truths[i] - 1., 2);
+    }
+  }
+  std::vector<std::string> row = {format_fixed(100. * noise, 0), name};
+  for(const double square : squares)
+    row.push_back(format_significant(100. * std::sqrt(square / count)));
+  table.add(row);
+}
+
+// Returns an icosphere with uniform noise of a standard deviation of `noise` mean edge lengths.
+Mesh noisy_sphere(unsigned level, double noise)
+{
+  return mesh_of(test::jittered(test::icosphere(level),
+                                std::sqrt(3.) * noise * mean_edge_length(icosphere(level))));
+}
+
+void compare_lengths(unsigned level)
+{
+  std::printf(
+      "Lengths: root mean square relative errors in percent within a distance of 1, to Exact on "
+      "the same mesh:\nof the distance, which is the length of a tangent vector, and of the "
+      "length that the gradient of the squared\ndistance has, by the length of the stencil in "
+      "rings of neighbors\n");
+  Table table({"noise %", "method", "distance", "fitted length, 0.6 rings", "1 ring", "2 rings",
+               "3 rings", "4 rings"});
+  using Method = GP::internal::Distance_method;
+  const std::vector<double> rings = {0.6, 1., 2., 3., 4.};
+  for(const double noise : {0., 0.01, 0.05})
+  {
+    const Mesh mesh = noisy_sphere(level, noise);
+    add_length_row(table, "Gradient<Dijkstra>", Method::dijkstra, noise, mesh, rings);
+    add_length_row(table, "Gradient<Fast_marching>", Method::fast_marching, noise, mesh, rings);
+    add_length_row(table, "Gradient<Euclidean_front>", Method::euclidean_front, noise, mesh, rings);
+    add_length_row(table, "Gradient<Exact>", Method::exact, noise, mesh, rings);
+  }
+  table.print();
 }
 
 void compare_noise(unsigned level)
@@ -651,13 +941,11 @@ void compare_noise(unsigned level)
   const std::vector<double> rings = {0., 1., 2., 3.};
   for(const double noise : {0., 0.01, 0.05})
   {
-    // The factor sqrt(3) gives the uniform displacement a standard deviation of `noise` edges.
-    const Mesh mesh = mesh_of(
-        test::jittered(test::icosphere(level), std::sqrt(3.) * noise * mean_edge_length(clean)));
-    add_noise_row<GP::Gradient<GP::Dijkstra>>(table, "Gradient<Dijkstra>", noise, mesh, rings);
-    add_noise_row<GP::Gradient<GP::Fast_marching>>(table, "Gradient<Fast_marching>", noise, mesh,
-                                                   rings);
-    add_noise_row<GP::Gradient<>>(table, "Gradient<Euclidean_front>", noise, mesh, rings);
+    const Mesh mesh = noisy_sphere(level, noise);
+    add_noise_rows<GP::Gradient<GP::Dijkstra>>(table, "Gradient<Dijkstra>", noise, mesh, rings);
+    add_noise_rows<GP::Gradient<GP::Fast_marching>>(table, "Gradient<Fast_marching>", noise, mesh,
+                                                    rings);
+    add_noise_rows<GP::Gradient<>>(table, "Gradient<Euclidean_front>", noise, mesh, rings);
     add_noise_row<GP::Gradient<GP::Heat>>(table, "Gradient<Heat>", noise, mesh, rings);
     add_noise_row<GP::Gradient<GP::Exact>>(table, "Gradient<Exact>", noise, mesh, rings);
     add_noise_row<GP::Exact>(table, "Exact", noise, mesh, {0.});
@@ -677,13 +965,15 @@ void compare_noise(unsigned level)
 
 } // namespace
 
-// logmap [--quick | noise]
+// logmap [--quick | noise | metric]
 int main(int argc, char* argv[])
 {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
   std::printf("Normal coordinates\n\n");
   if(argc > 1 && std::strcmp(argv[1], "noise") == 0)
-    return compare_noise(5), 0;
+    return compare_noise(5), compare_lengths(5), 0;
+  if(argc > 1 && std::strcmp(argv[1], "metric") == 0)
+    return compare_metrics(false), 0;
   compare_on_spheres(quick);
   compare_on_clouds(quick ? 2500 : 10000);
   compare_on_developables(quick ? 40 : 100);
@@ -695,7 +985,9 @@ int main(int argc, char* argv[])
   if(const auto kitten = load_model("kitten_9k"); kitten && !quick)
     compare_with_cgal("kitten_9k", *kitten);
   compare_with_theory(quick);
+  compare_metrics(quick);
   compare_linearity(quick);
   compare_on_cylinder();
   compare_noise(quick ? 4 : 5);
+  compare_lengths(quick ? 4 : 5);
 }

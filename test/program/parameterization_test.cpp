@@ -160,6 +160,14 @@ TEST_F(Program, logmap_writes_normal_coordinates)
   expect_failure("logmap square.ply --base 1 --method flat", 1, "gradient");
   expect_failure("logmap square.ply --base 1 --distances emd", 1, "--distances emd");
   expect_failure("logmap square.ply --base 40 --up 0,0,1", 2, "normal to the surface");
+  EXPECT_EQ(json("logmap square.ply --base 40 --distances fast-marching --smoothing-steps 5 "
+                 "--base-refinements 2")["values"],
+            81);
+  EXPECT_EQ(json("logmap cloud.xyz --base 50 --smoothing-steps 5")["values"], 144);
+  expect_failure("logmap square.ply --base 1 --method exact --smoothing-steps 1", 1, "gradient");
+  expect_failure("logmap square.ply --base 1 --method exact --base-refinements 1", 1, "gradient");
+  expect_failure("logmap square.ply --base 1 --smoothing-steps 1001", 2, "smoothing steps");
+  expect_failure("logmap cloud.xyz --base 1 --base-refinements 1", 2, "require a mesh");
 }
 
 TEST_F(Program, decal_writes_colors_and_textures)

@@ -198,8 +198,8 @@ public:
   ///
   /// `Gradient` takes the time of a distance computation from the base point and from each location
   /// of the stencil. A smoothing step adds O(m) time for m reached vertices or surfels, and a base
-  /// refinement adds O(n) time, for n vertices of the refined mesh. `Exact` takes the time of one exact computation. `Discrete_exponential`
-  /// takes O(m log m) time for m reached vertices or surfels.
+  /// refinement adds O(n) time for n vertices of the refined mesh. `Exact` takes the time of one
+  /// exact computation. `Discrete_exponential` takes O(m log m) time.
   template <typename Place, typename NamedParameters = internal::Default_parameters>
   void compute(const Place& base, const NamedParameters& np = NamedParameters());
 

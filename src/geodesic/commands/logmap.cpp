@@ -23,6 +23,7 @@ struct Logmap_options
   double radius = std::numeric_limits<double>::infinity();
   std::string method = "gradient";
   std::string distances = "euclidean";
+  std::size_t smoothing_steps = 0, base_refinements = 0; // of gradient
 };
 
 struct Logmap_result
@@ -40,7 +41,9 @@ Logmap_result compute_map(const Domain& domain, const Log_kind& kind, const Logm
   using Surface_type = typename Domain::Surface;
   GP::Logarithmic_map<Surface_type, Runtime_method> map(domain, kind);
   job.begin_stage("query");
-  const auto limits = GP::parameters::maximum_distance(options.radius);
+  const auto limits = GP::parameters::maximum_distance(options.radius)
+                          .number_of_smoothing_steps(options.smoothing_steps)
+                          .number_of_base_refinements(options.base_refinements);
   const auto compute = [&](const auto& base)
   {
     if(options.up.empty())
@@ -95,6 +98,10 @@ void check(const Logmap_options& options)
     throw Usage_error("--method " + printable(options.method) +
                       ": the methods are gradient, exact and discrete-exponential.");
   check_method(options.distances, "--distances");
+  if(options.smoothing_steps > 0 && options.method != "gradient")
+    throw Usage_error("--smoothing-steps requires --method gradient.");
+  if(options.base_refinements > 0 && options.method != "gradient")
+    throw Usage_error("--base-refinements requires --method gradient.");
 }
 
 double largest_radius(const std::vector<std::array<double, 2>>& uv)
@@ -217,6 +224,10 @@ void add_logmap(CLI::App& program)
       .add("--distances", options->distances, "NAME",
            "distances for gradient: automatic, exact, euclidean, fast-marching, dijkstra or heat")
       .shows_default();
+  command.add("--smoothing-steps", options->smoothing_steps, "N",
+              "steps that smooth the distances for gradient, at most 1000");
+  command.add("--base-refinements", options->base_refinements, "N",
+              "how many times edges around the base are halved for gradient, at most 8; on a mesh");
   command.set_callback([job, options] { run_logmap(*job, *options); });
 }
 
