@@ -55,9 +55,28 @@ int main()
   std::cout << "There, the singular values are " << worst.sigma_1 << " and " << worst.sigma_2
             << ".\n";
 
+  // Fast marching is less accurate close to its source. Shorter edges there and smooth distance maps
+  // reduce the errors of directions.
+  const auto mean_error = [&](std::size_t refinements, std::size_t steps)
+  {
+    auto rough_uv = mesh.add_property_map<Vertex, Point_2>("v:rough_uv").first;
+    GP::logarithmic_map<GP::Gradient<GP::Fast_marching>>(
+        mesh, pole, rough_uv,
+        GP::parameters::up_direction(Kernel::Vector_3(0, 1, 0))
+            .number_of_base_refinements(refinements)
+            .number_of_smoothing_steps(steps));
+    double sum = 0.;
+    for(Vertex v : mesh.vertices())
+      sum += std::sqrt(CGAL::squared_distance(uv[v], rough_uv[v]));
+    return sum / double(mesh.number_of_vertices());
+  };
+  const double plain = mean_error(0, 0), improved = mean_error(3, 30);
+  std::cout << "Fast marching is off by " << plain << " in the mean, with both options by "
+            << improved << ".\n";
+
   // Circles around the pole are stretched by angle / sin(angle).
   const double boundary_angle = std::atan(std::sqrt(2.));
-  return largest < 2e-3 && std::abs(worst.mips() - stretch.worst) < 1e-9 &&
+  return largest < 2e-3 && improved < plain && std::abs(worst.mips() - stretch.worst) < 1e-9 &&
                  std::abs(stretch.worst - boundary_angle / std::sin(boundary_angle)) < 0.05
              ? EXIT_SUCCESS
              : EXIT_FAILURE;

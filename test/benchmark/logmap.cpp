@@ -512,33 +512,38 @@ std::vector<Curved_surface> curved_surfaces(bool quick)
 
 constexpr double metric_radius = 0.6;
 
-// Computes the metrics of the faces around a base, in normal coordinates.
+// Computes the metrics of the faces around a base up to a radius, in normal coordinates.
 template <typename Method>
-std::vector<test::Face_metric> metrics(const Mesh& mesh, Vertex base)
+std::vector<test::Face_metric> metrics(const Mesh& mesh, Vertex base, double radius = metric_radius)
 {
   GP::Logarithmic_map<Mesh, Method> map(mesh);
   map.compute(
-      base,
-      GP::parameters::maximum_distance(metric_radius + 0.05).stencil_length(theory_stencil_length));
-  return test::metrics_around(mesh, map, 0.02, metric_radius);
+      base, GP::parameters::maximum_distance(radius + 0.05).stencil_length(theory_stencil_length));
+  return test::metrics_around(mesh, map, 0.02, radius);
 }
 
+// Adds a row for each mesh, and rows of smaller radii for the finest mesh.
 template <typename Method>
 void add_metric_rows(Table& table, const std::string& method, const Curved_surface& surface)
 {
-  for(std::size_t i = 0; i < surface.meshes.size(); ++i)
+  const auto add = [&](std::size_t i, double radius)
   {
-    const double k = surface.curvatures[i];
-    const auto found = test::fitted_metric(metrics<Method>(surface.meshes[i], surface.bases[i]));
+    const auto found =
+        test::fitted_metric(metrics<Method>(surface.meshes[i], surface.bases[i], radius));
     const auto& q = found.quadratic;
     const double other = std::max({std::fabs(q[0][0]), std::fabs(q[0][1]), std::fabs(q[1][0]),
                                    std::fabs(q[1][2]), std::fabs(q[2][1]), std::fabs(q[2][2])});
     const auto [constant, linear] = test::base_errors(found);
     table.add({surface.name, method, std::to_string(num_vertices(surface.meshes[i])),
-               format_fixed(k / 3., 4), format_fixed(q[0][2], 4), format_fixed(q[1][1], 4),
-               format_fixed(q[2][0], 4), format_significant(other), format_significant(constant),
+               format_fixed(radius, 1), format_fixed(surface.curvatures[i] / 3., 4),
+               format_fixed(q[0][2], 4), format_fixed(q[1][1], 4), format_fixed(q[2][0], 4),
+               format_significant(other), format_significant(constant),
                format_significant(linear)});
-  }
+  };
+  for(std::size_t i = 0; i < surface.meshes.size(); ++i)
+    add(i, metric_radius);
+  for(const double radius : {0.4, 0.3})
+    add(surface.meshes.size() - 1, radius);
 }
 
 // Returns root mean squares over the faces in an interval of distances: of the difference of the
@@ -633,13 +638,13 @@ void compare_metrics(bool quick)
 {
   std::printf(
       "Metric in normal coordinates: Taylor coefficients of its entries, fitted to the faces "
-      "within a distance\nof 0.6 by polynomials of degree four. In theory, the coefficient of v^2 "
+      "within a radius\nby polynomials of degree four. In theory, the coefficient of v^2 "
       "in g11 and of u^2 in g22 is -K/3,\nthat of uv in g12 is K/3, all other second-order "
       "coefficients are zero, the constant is the unit matrix, and\nthe linear terms vanish. The "
       "last three columns are the largest deviations.\n");
   const std::vector<Curved_surface> surfaces = curved_surfaces(quick);
-  Table coefficients({"surface", "method", "vertices", "K/3", "g11 v^2", "g12 uv", "g22 u^2",
-                      "other", "constant", "linear"});
+  Table coefficients({"surface", "method", "vertices", "radius", "K/3", "g11 v^2", "g12 uv",
+                      "g22 u^2", "other", "constant", "linear"});
   Table residuals({"surface", "method", "vertices", "0.1", "0.2", "0.4", "0.6"});
   for(const Curved_surface& surface : surfaces)
   {
