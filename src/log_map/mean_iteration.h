@@ -9,9 +9,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The common part of the Karcher means on meshes and on clouds. Their line searches differ: on a
-// mesh, a step is a polar angle and a length, because a vertex has directions of more or less than a
-// full turn. On a cloud, it is a tangent vector, and a step must exceed the errors of the fit.
+// The common part of the Karcher means on meshes and on clouds. Their line searches differ. On a
+// mesh, a step is a polar angle and a length, because the angles around a vertex do not sum up to
+// 2 pi. On a cloud, it is a tangent vector, and a step must exceed the errors of the fit.
 
 struct Unit_weights
 {

@@ -58,10 +58,11 @@ using Geodesic_path = std::conditional_t<internal::Is_cloud<Surface>::value, Sur
 /// \cgalCite{cgal:rdsk-asg-06}. The number of control points increases from level to level. The
 /// surface is fitted to the surfels along the path and ends at 1.5 radii from the last surfel.
 ///
-/// If `do_enforce_guarantees` is `true`, paths neither cross gaps nor change to another sheet. The distance of each point of a path to
-/// the nearest surfel is at most the 95th percentile of the local spacing. The percentile is
-/// computed for the 60 surfels nearest to the point. The spacing of a surfel is the distance to
-/// its sixth nearest surfel. The surfels of consecutive points are joined by short graph paths.
+/// If `do_enforce_guarantees` is `true`, paths neither cross gaps nor change to another sheet. The
+/// distance of each point of a path to the nearest surfel is at most the 95th percentile of the
+/// local spacing. The percentile is computed for the 60 surfels nearest to the point. The spacing
+/// of a surfel is the distance to its sixth nearest surfel. The surfels of consecutive points are
+/// joined by short graph paths.
 ///
 /// Copies share the cloud and the graph, and different copies can search concurrently.
 ///

@@ -41,9 +41,9 @@ struct Cone_descent
 //
 //   - sum w_i d_i cos(min(angle(u, v_i), pi)).
 //
-// In a closed fan, angle(u, v_i) is the smaller one of the clockwise and the counterclockwise angle.
-// In the fan of a boundary vertex, only one of them exists. If u and v_i are in different fans, the
-// angle is infinite.
+// In a closed fan, angle(u, v_i) is the smaller one of the clockwise and the counterclockwise
+// angle. In the fan of a boundary vertex, only one of them exists. If u and v_i are in different
+// fans, the angle is infinite.
 //
 // As a function of the polar angle of u, the derivative is a sinusoid between critical directions.
 // A direction is critical if its angle to some v_i is pi, or if the clockwise and the
