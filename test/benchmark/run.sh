@@ -30,7 +30,7 @@ for argument in "$@"; do
 done
 [ ${#programs[@]} -gt 0 ] ||
   programs=(accuracy error_distribution speed soups exact sampling remeshing cloud_errors surfels
-            surfel_scans logmap decal flattening base wavelets transport transport_bounds
+            surfel_scans logmap distortion decal flattening base wavelets transport transport_bounds
             transport_family transport_claims transport_times regions flows barycenters means
             volumes)
 
