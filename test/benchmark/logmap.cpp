@@ -12,7 +12,6 @@
 #include "report.h"
 
 #include <CGAL/Point_set_3.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/smooth_shape.h>
 #include <CGAL/convex_hull_3.h>
 
@@ -26,7 +25,6 @@ namespace {
 using namespace benchmarks;
 namespace GP = CGAL::Geodesic_processing;
 namespace test = CGAL::Geodesic_processing::test;
-using test::Measure_asymptotics;
 using Complex = std::complex<double>;
 using Size = Mesh::size_type;
 
