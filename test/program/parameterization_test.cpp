@@ -49,6 +49,23 @@ TEST_F(Program, flatten_preserves_a_planar_square)
   expect_failure("flatten apart.off", 2, "not connected");
 }
 
+TEST_F(Program, flatten_by_other_methods_maps_the_component_of_the_longest_boundary)
+{
+  // An isolated vertex, a square of four triangles, and a smaller triangle.
+  write("parts.off",
+        "OFF\n9 5 0\n9 9 9\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 0\n5 0 0\n5.1 0 0\n5 .1 0\n"
+        "3 1 2 5\n3 2 3 5\n3 3 4 5\n3 4 1 5\n3 6 7 8\n");
+  for(const std::string method : {"arap", "authalic", "lscm"})
+  {
+    json("flatten parts.off --values f.txt -o f.obj --method " + method);
+    const std::vector<double> uv = numbers("f.txt");
+    ASSERT_EQ(uv.size(), 18u) << method;
+    for(std::size_t i = 0; i < 9; ++i)
+      EXPECT_EQ(std::isfinite(uv[2 * i]), i >= 1 && i <= 5) << method << ' ' << i;
+    expect_failure("flatten pinched.off --method " + method, 2, "manifold");
+  }
+}
+
 TEST_F(Program, atlas_is_injective)
 {
   for(const std::string name : {"closed.off", "square.ply"})

@@ -11,8 +11,10 @@
 
 namespace program {
 
-// Computes the UV coordinates of the vertices by CGAL's parameterization lscm, authalic or arap.
-// Throws Input_error with CGAL's message if the parameterization fails.
+// Computes the UV coordinates of the vertices by CGAL's parameterization lscm, authalic or arap. Only
+// the component with the longest boundary cycle gets coordinates; those of other vertices are NaN.
+// Throws Input_error if a vertex has several fans of faces, if there is no boundary, or, with
+// CGAL's message, if the parameterization fails.
 std::vector<std::array<double, 2>> parameterization(const Surface& surface,
                                                     const std::string& method);
 
