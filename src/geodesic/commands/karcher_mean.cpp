@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/write_surface_file.h"
 #include "picture/Picture.h"
 #include "readers/Scanner.h"
 #include "app/commands.h"
@@ -104,19 +103,14 @@ Karcher_mean_result find_mean(const Surface_type& surface, const Karcher_mean_op
                       .maximum_number_of_iterations(options.max_iterations)
                       .number_of_threads(job.threads())
                       .callback(job.progress_callback("mean"));
-  const auto compute = [&]
-  {
-    if(!options.initial.empty())
-      return GP::karcher_mean(
-          domain, points,
-          np.initial_location(
-              vertex_location(domain, parse_indices(options.initial, "--initial").front(), job)));
-    if(!options.initial_at.empty())
-      return GP::karcher_mean(
-          domain, points, np.initial_location(locate(domain, options.initial_at, "--initial-at")));
-    return GP::karcher_mean(domain, points, np);
-  };
-  const GP::Karcher_mean<Surface_type> mean = compute();
+  std::optional<typename Domain::Location> initial;
+  if(!options.initial.empty())
+    initial = vertex_location(domain, parse_indices(options.initial, "--initial").front(), job);
+  else if(!options.initial_at.empty())
+    initial = locate(domain, options.initial_at, "--initial-at");
+  const GP::Karcher_mean<Surface_type> mean =
+      initial ? GP::karcher_mean(domain, points, np.initial_location(*initial))
+              : GP::karcher_mean(domain, points, np);
 
   Karcher_mean_result result;
   result.mean = coordinates(mean.point);
@@ -167,10 +161,11 @@ void run_karcher_mean(Job& job, const Karcher_mean_options& options)
 {
   check(options);
   const Surface& surface = job.read({"vtp", "ply", "obj"});
-  for(const std::string* vertices : {&options.points, &options.initial})
-    if(!vertices->empty())
-      for(const std::size_t vertex : parse_indices(*vertices, "--points"))
-        check_vertex(surface, vertex);
+  if(!options.points.empty())
+    for(const std::size_t vertex : parse_indices(options.points, "--points"))
+      check_vertex(surface, vertex);
+  if(!options.initial.empty())
+    check_vertex(surface, parse_indices(options.initial, "--initial").front());
 
   job.begin_stage("prepare");
   Karcher_mean_result result;
