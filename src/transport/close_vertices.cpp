@@ -3,6 +3,7 @@
 #include "transport/close_vertices.h"
 
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include "core/unfold.h"
 
 #include <algorithm>
 #include <cmath>
