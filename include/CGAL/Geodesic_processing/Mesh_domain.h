@@ -5,6 +5,8 @@
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/Index_map.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/Lazy_mesh.h>
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/core/slowness.h>
@@ -91,19 +93,20 @@ public:
   ///         coordinates are negative or do not sum to one
   Point_3 point(const Location& location) const { return point(inner(location)); }
 
-  /// Returns the mesh, which must not have been destroyed or moved. O(1).
-  const TriangleMesh& mesh() const { return *m_mesh; }
+  /// Returns the mesh, which must not have been destroyed or moved. O(1). The mesh of a soup is
+  /// built by the first call, in O(n); several threads may call it.
+  const TriangleMesh& mesh() const { return m_mesh_of_soup ? m_mesh_of_soup->get() : *m_mesh; }
 
   /// \cond INTERNAL
   // Conversion between the mesh and the kernels.
   const std::shared_ptr<const internal::Surface_arrays>& triangles() const { return m_triangles; }
-  internal::Index index(Vertex v) const { return get(m_data->index_of_vertex, v); }
+  internal::Index index(Vertex v) const { return m_data->index_of_vertex[v]; }
   Vertex vertex(internal::Index index) const { return m_data->vertices[index]; }
   internal::Surface_location inner(const Location& location) const;
   internal::Surface_location inner_vertex(Vertex v) const;
   Location outer(const internal::Surface_location& location) const;
   Point_3 point(const internal::Surface_location& location) const;
-  internal::Index triangle(Face face) const { return get(m_data->triangle_of_face, face); }
+  internal::Index triangle(Face face) const { return m_data->triangle_of_face[face]; }
   Face face(internal::Index triangle) const { return m_data->faces[triangle]; }
   template <typename SpeedMap>
   std::vector<double> slowness(SpeedMap speed) const;
@@ -132,17 +135,15 @@ protected:
   // For Soup_domain, which defines all members.
   Mesh_domain() = default;
 
-  template <typename Descriptor, typename Property>
-  using Map = typename boost::property_map<TriangleMesh, Property>::const_type;
   struct Data
   {
-    explicit Data(const TriangleMesh& mesh)
-        : index_of_vertex(get(dynamic_vertex_property_t<internal::Index>(), mesh)),
-          triangle_of_face(get(dynamic_face_property_t<internal::Index>(), mesh))
+    explicit Data(const TriangleMesh& mesh) : index_of_vertex(mesh), triangle_of_face(mesh) {}
+    Data(std::size_t number_of_points, std::size_t number_of_faces)
+        : index_of_vertex(number_of_points), triangle_of_face(number_of_faces)
     {}
 
-    Map<Vertex, dynamic_vertex_property_t<internal::Index>> index_of_vertex;
-    Map<Face, dynamic_face_property_t<internal::Index>> triangle_of_face;
+    internal::Index_map<TriangleMesh, dynamic_vertex_property_t<internal::Index>> index_of_vertex;
+    internal::Index_map<TriangleMesh, dynamic_face_property_t<internal::Index>> triangle_of_face;
     std::vector<Vertex> vertices; // #vertices
     std::vector<Face> faces;      // #triangles
     // Vertices of a soup that were merged, in increasing order. They have the index of the vertex
@@ -151,7 +152,6 @@ protected:
     // The minimum and maximum descriptors. The maps must not be read outside of these ranges.
     std::pair<Vertex, Vertex> vertex_range;
     std::pair<Face, Face> face_range;
-    std::shared_ptr<const TriangleMesh> mesh_of_soup; // null if the caller owns the mesh
   };
   // Builds the arrays from vertices and faces in the order of the caller, which are then sorted.
   // Returns the number of triangles without area.
@@ -165,7 +165,8 @@ protected:
                     const std::vector<internal::Index>& corners,
                     const std::vector<internal::Index>& twins);
 
-  const TriangleMesh* m_mesh = nullptr;
+  const TriangleMesh* m_mesh = nullptr; // null if the surface is a soup
+  std::shared_ptr<const internal::Lazy_mesh<TriangleMesh>> m_mesh_of_soup;
   std::shared_ptr<const internal::Surface_arrays> m_triangles;
   std::shared_ptr<const Data> m_data;
 
@@ -215,7 +216,7 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
   for(const Vertex v : vertices(mesh))
   {
     const auto& point = get(points, v);
-    put(data.index_of_vertex, v, static_cast<Index>(data.vertices.size()));
+    data.index_of_vertex.set(v, static_cast<Index>(data.vertices.size()));
     data.vertices.push_back(v);
     coordinates.push_back(
         {CGAL::to_double(point[0]), CGAL::to_double(point[1]), CGAL::to_double(point[2])});
@@ -225,7 +226,7 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
   data.faces.reserve(num_faces(mesh));
   for(const Face face : faces(mesh))
   {
-    put(data.triangle_of_face, face, static_cast<Index>(data.faces.size()));
+    data.triangle_of_face.set(face, static_cast<Index>(data.faces.size()));
     data.faces.push_back(face);
   }
   if(data.faces.size() > (std::size_t(1) << 31) / 3)
@@ -237,7 +238,7 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
     auto h = halfedge(read_face, mesh);
     for(int k = 0; k < 3; ++k, h = next(h, mesh))
     {
-      corners.push_back(get(data.index_of_vertex, source(h, mesh)));
+      corners.push_back(data.index_of_vertex[source(h, mesh)]);
       const auto twin = opposite(h, mesh);
       const Face twin_face = internal::face_of(twin, mesh);
       if(twin_face == Graph::null_face())
@@ -246,7 +247,7 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
         continue;
       }
       auto candidate = halfedge(twin_face, mesh);
-      Index twin_index = 3 * get(data.triangle_of_face, twin_face);
+      Index twin_index = 3 * data.triangle_of_face[twin_face];
       for(int k_twin = 0; candidate != twin && k_twin < 2; ++k_twin, ++twin_index)
         candidate = next(candidate, mesh);
       twins.push_back(twin_index);
@@ -287,19 +288,19 @@ std::size_t Mesh_domain<TriangleMesh>::build(Data data,
   data.vertices.reserve(read_vertices.size());
   for(const Index v : arrays.caller_vertex)
   {
-    put(data.index_of_vertex, read_vertices[v], static_cast<Index>(data.vertices.size()));
+    data.index_of_vertex.set(read_vertices[v], static_cast<Index>(data.vertices.size()));
     data.vertices.push_back(read_vertices[v]);
   }
   data.faces.reserve(read_faces.size());
   for(const Index face : arrays.face_of_triangle)
   {
-    put(data.triangle_of_face, read_faces[face], static_cast<Index>(data.faces.size()));
+    data.triangle_of_face.set(read_faces[face], static_cast<Index>(data.faces.size()));
     data.faces.push_back(read_faces[face]);
   }
   for(std::size_t i = 0; i < replacements.size(); ++i)
   {
     const Vertex v = data.merged_vertices[i];
-    put(data.index_of_vertex, v, arrays.internal_vertex[replacements[i]]);
+    data.index_of_vertex.set(v, arrays.internal_vertex[replacements[i]]);
     data.vertex_range.second = std::max(data.vertex_range.second, v);
   }
   m_triangles = std::make_shared<const internal::Surface_arrays>(std::move(arrays.arrays));

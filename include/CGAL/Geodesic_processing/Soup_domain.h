@@ -80,7 +80,7 @@ private:
     Soup_report report;
     std::vector<Index> polygon; // #faces
   };
-  void initialize(Surface_mesh<Point> mesh, std::vector<std::array<double, 3>> coordinates,
+  void initialize(std::vector<Point> points, std::vector<std::array<double, 3>> coordinates,
                   internal::Repaired_soup soup);
 
   std::shared_ptr<const Content> m_content;
@@ -128,25 +128,25 @@ Soup_domain<Point>::Soup_domain(const PointRange& points, const PolygonRange& po
       internal::parameter(np, internal_np::do_remove_degenerate_faces, false);
   internal::Repaired_soup repaired = internal::repair_soup(soup, options);
 
-  auto mesh = internal::soup_mesh<Point>(number_of_points, repaired.corners, repaired.twins);
-  Index vertex = 0;
+  std::vector<Point> points_of_mesh;
+  points_of_mesh.reserve(number_of_points);
   for(const auto& element : points)
-    mesh.point(typename Surface_mesh<Point>::Vertex_index(vertex++)) = get(point_map, element);
-  initialize(std::move(mesh), std::move(soup.points), std::move(repaired));
+    points_of_mesh.push_back(get(point_map, element));
+  initialize(std::move(points_of_mesh), std::move(soup.points), std::move(repaired));
 }
 
 template <typename Point>
-void Soup_domain<Point>::initialize(Surface_mesh<Point> repaired_mesh,
+void Soup_domain<Point>::initialize(std::vector<Point> points,
                                     std::vector<std::array<double, 3>> coordinates,
                                     internal::Repaired_soup soup)
 {
   using Mesh = Surface_mesh<Point>;
-  auto mesh = std::make_shared<const Mesh>(std::move(repaired_mesh));
-  typename Base::Data data(*mesh);
-  data.faces.reserve(mesh->number_of_faces());
-  data.vertices.reserve(mesh->number_of_vertices());
-  for(const auto face : mesh->faces())
-    data.faces.push_back(face);
+  const std::size_t number_of_faces = soup.polygon.size();
+  typename Base::Data data(points.size(), number_of_faces);
+  data.faces.reserve(number_of_faces);
+  data.vertices.reserve(points.size());
+  for(Index f = 0; f < number_of_faces; ++f)
+    data.faces.push_back(typename Mesh::Face_index(f));
 
   // Moves the points that have not been replaced to the front.
   std::vector<Index> position(coordinates.size()), replacements;
@@ -167,11 +167,12 @@ void Soup_domain<Point>::initialize(Surface_mesh<Point> repaired_mesh,
   for(Index& corner : soup.corners)
     corner = position[corner];
 
-  data.mesh_of_soup = mesh;
-  this->m_mesh = mesh.get();
   soup.report.number_of_triangles_without_area =
       this->build(std::move(data), replacements, std::move(coordinates), soup.corners, soup.twins);
   m_content = std::make_shared<const Content>(Content{soup.report, std::move(soup.polygon)});
+  this->m_mesh_of_soup = std::make_shared<const internal::Lazy_mesh<Mesh>>(
+      [points = std::move(points), triangles = this->m_triangles, data = this->m_data]
+      { return internal::soup_mesh(points, *triangles, data->vertices, data->faces); });
 }
 
 namespace internal {

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_SOUP_MESH_H
 
 #include <CGAL/Geodesic_processing/internal/core/Index.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh.h>
 
@@ -93,6 +94,32 @@ Surface_mesh<Point_3> soup_mesh(std::size_t number_of_points, const std::vector<
       mesh.set_target(mesh.opposite(halfedges[h]), Vertex(corners[h]));
   }
   link_boundary_halfedges(corners, twins, halfedges, mesh);
+  return mesh;
+}
+
+// Returns the mesh of a soup from its arrays. O(n).
+//
+// points: of the soup
+// vertices: #vertices of the arrays, the vertices of the mesh
+// faces: #triangles, the faces of the mesh
+template <typename Point_3>
+Surface_mesh<Point_3>
+soup_mesh(const std::vector<Point_3>& points, const Surface_arrays& triangles,
+          const std::vector<typename Surface_mesh<Point_3>::Vertex_index>& vertices,
+          const std::vector<typename Surface_mesh<Point_3>::Face_index>& faces)
+{
+  std::vector<Index> corners(triangles.corner.size()), twins(triangles.corner.size());
+  for(Index triangle = 0; triangle < faces.size(); ++triangle)
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index from = 3 * triangle + k, to = 3 * Index(faces[triangle]) + k,
+                  twin = triangles.twin[from];
+      corners[to] = Index(vertices[triangles.corner[from]]);
+      twins[to] = twin == none ? none : 3 * Index(faces[twin / 3]) + twin % 3;
+    }
+  Surface_mesh<Point_3> mesh = soup_mesh<Point_3>(points.size(), corners, twins);
+  for(Index i = 0; i < points.size(); ++i)
+    mesh.point(typename Surface_mesh<Point_3>::Vertex_index(i)) = points[i];
   return mesh;
 }
 
