@@ -11,6 +11,7 @@
 
 #include <CGAL/property_map.h>
 
+#include <array>
 #include <iterator>
 #include <optional>
 #include <type_traits>
@@ -25,7 +26,8 @@ namespace CGAL::Geodesic_processing {
 /// be oriented.
 ///
 /// The domain contains a `Surface_mesh`, on which all property maps, vertices and locations are
-/// defined. Vertex `i` of the mesh is point `i` of the soup, for all points. The faces of the mesh
+/// defined. It is built when `mesh()` or a function that needs its halfedges is called for the first
+/// time. Vertex `i` of the mesh is point `i` of the soup, for all points. The faces of the mesh
 /// are the triangles of the polygons, in the order of the polygons. `polygon()` returns the polygon
 /// of a face. Outputs on faces and halfedges, for example the coordinates of a texture atlas or the
 /// locations on a remeshed surface, refer to this mesh.
@@ -72,6 +74,21 @@ public:
   std::size_t polygon(typename Surface_mesh<Point>::Face_index face) const
   {
     return m_content->polygon[face];
+  }
+
+  /// Returns the number of faces of the mesh. Does not build the mesh. O(1).
+  std::size_t number_of_faces() const { return m_content->polygon.size(); }
+
+  /// Returns the positions of the points at the corners of a face of the mesh, in counterclockwise
+  /// order. Does not build the mesh. O(1).
+  /// \param face a face of `mesh()`
+  std::array<std::size_t, 3> corners(typename Surface_mesh<Point>::Face_index face) const
+  {
+    const std::size_t first = 3 * std::size_t(this->triangle(face));
+    std::array<std::size_t, 3> result;
+    for(std::size_t k = 0; k < 3; ++k)
+      result[k] = std::size_t(this->vertex(this->triangles()->corner[first + k]));
+    return result;
   }
 
 private:
@@ -231,9 +248,8 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 /// \throws Unsupported_surface_error if a polygon has more than 10,000 corners, or if the triangles
 ///         have more than 2<SUP>31</SUP> halfedges
 ///
-/// O(n) for n points of bounded degree, and O(k<SUP>2</SUP>) for a polygon of k corners. Takes
-/// about twice the time of `make_domain()` for a mesh, because it also constructs the mesh. The
-/// domain takes about 350 bytes per point.
+/// O(n) for n points of bounded degree, and O(k<SUP>2</SUP>) for a polygon of k corners. The domain
+/// takes about 230 bytes per point, and its mesh, if a function needs it, about 170 more.
 template <typename Concurrency_tag = Sequential_tag, typename PointRange, typename PolygonRange,
           typename NamedParameters = internal::Default_parameters,
           std::enable_if_t<!internal::is_named_parameters<PolygonRange>, int> = 0>

@@ -35,13 +35,13 @@ struct Barycenter_result
 
 // Computes the barycenter of the mass distributions and, if all are points, the barycenter of
 // these points.
-template <typename Surface_type>
-Barycenter_result find_barycenter(const Surface_type& surface, const std::vector<Masses>& masses,
+template <typename Domain>
+Barycenter_result find_barycenter(const Domain& domain, const std::vector<Masses>& masses,
                                   const std::vector<std::size_t>& points,
                                   const Barycenter_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
+  using Surface_type = typename Domain::Surface;
+  using Vertex = typename Domain::Vertex;
   std::vector<Mass_distribution> given;
   for(const Masses& mass : masses)
     given.push_back(distribution(domain, mass));
@@ -113,8 +113,8 @@ void run_barycenter(Job& job, const Barycenter_options& options)
 
   job.begin_stage("prepare");
   Barycenter_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = find_barycenter(mesh_or_cloud, masses, points, options, job); });
+  visit_domain(job, [&](const auto& domain)
+               { result = find_barycenter(domain, masses, points, options, job); });
   GP::Earth_movers_cost cost;
   cost.value = result.cost.value;
   cost.lower = result.cost.lower;

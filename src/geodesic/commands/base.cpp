@@ -134,10 +134,10 @@ void draw_base_mesh(const std::string& filename, const Base_mesh& base, bool sho
 }
 
 // Computes the base mesh and the location of each vertex or surfel, and writes the results.
-template <typename Surface_type>
-void compute_base(const Surface_type& surface, const Base_options& options, Job& job)
+template <typename Domain>
+void compute_base(const Domain& domain, const Base_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
+  using Surface_type = typename Domain::Surface;
   job.begin_stage("query");
   const GP::Base_parameterization<Surface_type> base(domain, options.number,
                                                      base_parameters(options, job));
@@ -150,7 +150,7 @@ void compute_base(const Surface_type& surface, const Base_options& options, Job&
   {
     const auto vertex = vertex_at<Surface_type>(i);
     if constexpr(is_mesh<Surface_type>)
-      if(surface.is_isolated(vertex))
+      if(domain.outer(domain.inner_vertex(vertex)).first == Mesh::null_face()) // isolated
       {
         text += "-1 nan nan nan\n";
         continue;
@@ -173,10 +173,9 @@ void compute_base(const Surface_type& surface, const Base_options& options, Job&
 
 void run_base(Job& job, const Base_options& options)
 {
-  const Surface& surface = job.read();
+  job.read();
   job.begin_stage("prepare");
-  visit_surface(surface,
-                [&](const auto& mesh_or_cloud) { compute_base(mesh_or_cloud, options, job); });
+  visit_domain(job, [&](const auto& domain) { compute_base(domain, options, job); });
   job.finish();
 }
 
@@ -188,11 +187,10 @@ struct Semi_regular_mesh
 };
 
 // Computes the mesh and the level of each vertex.
-template <typename Surface_type>
-Semi_regular_mesh find_semi_regular_mesh(const Surface_type& surface, const Base_options& options,
+template <typename Domain>
+Semi_regular_mesh find_semi_regular_mesh(const Domain& domain, const Base_options& options,
                                          Job& job)
 {
-  const auto domain = make_domain(surface, job);
   job.begin_stage("query");
   Mesh mesh;
   const auto level = mesh.add_property_map<Mesh::Vertex_index, std::size_t>("v:level").first;
@@ -217,11 +215,11 @@ void run_semiregular(Job& job, const Base_options& options)
     throw Usage_error("--maximum-deviation: the deviation must not be negative.");
   if(options.use_quads && options.max_deviation > 0.)
     throw Usage_error("--maximum-deviation and --quads cannot be combined.");
-  const Surface& surface = job.read();
+  job.read();
   job.begin_stage("prepare");
   Semi_regular_mesh result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = find_semi_regular_mesh(mesh_or_cloud, options, job); });
+  visit_domain(job,
+               [&](const auto& domain) { result = find_semi_regular_mesh(domain, options, job); });
   const Surface_file& file = result.file;
   const GP::Semi_regular_result& found = result.found;
   report(job, file.points.size(), file.number_of_polygons(), found.number_of_flips);

@@ -101,12 +101,6 @@ std::vector<std::uint32_t> picture_triangles(const Cloud_domain& domain)
   return corners;
 }
 
-Mesh_domain make_domain(const Mesh& mesh, const Job& job)
-{
-  const auto& domain = job.surface().domain;
-  return domain && &domain->mesh() == &mesh ? Mesh_domain(*domain) : Mesh_domain(mesh);
-}
-
 Cloud_domain make_domain(const Cloud& cloud, const Job& job)
 {
   return Cloud_domain(cloud, GP::parameters::number_of_threads(job.threads()));

@@ -22,16 +22,6 @@ namespace program {
 
 namespace GP = CGAL::Geodesic_processing;
 
-// Calls f with the mesh or the cloud that the surface contains.
-template <typename Function>
-void visit_surface(const Surface& surface, Function f)
-{
-  if(surface.is_mesh())
-    f(surface.domain->mesh());
-  else
-    f(make_cloud(surface));
-}
-
 template <typename Surface_type>
 inline constexpr bool is_mesh = std::is_same_v<Surface_type, Mesh>;
 
@@ -89,8 +79,17 @@ auto with_method_tag(const std::string& method, Function f)
 // domain exists already.
 using Mesh_domain = GP::Mesh_domain<Mesh>;
 using Cloud_domain = GP::Surfel_domain<Cloud>;
-Mesh_domain make_domain(const Mesh& mesh, const Job& job);
 Cloud_domain make_domain(const Cloud& cloud, const Job& job);
+
+// Calls f with the domain of the mesh or the cloud of a job.
+template <typename Function>
+void visit_domain(const Job& job, Function f)
+{
+  if(job.surface().is_mesh())
+    return f(Mesh_domain(*job.surface().domain));
+  const Cloud cloud = make_cloud(job.surface());
+  f(make_domain(cloud, job));
+}
 
 // Returns whether a method is one of the optimal transport or comparison metrics.
 bool is_metric(const std::string& method);
@@ -241,15 +240,19 @@ void write_polylines(const Job& job, std::vector<std::vector<Point>> polylines);
 std::string points_text(const std::vector<Point>& points);
 
 // Formats a location: the index of a surfel, or a face's vertices with barycentric coordinates.
-template <typename Surface_type, typename Location>
-std::string location_text([[maybe_unused]] const Surface_type& surface, const Location& location)
+template <typename Domain>
+std::string location_text([[maybe_unused]] const Domain& domain,
+                          const typename Domain::Location& location)
 {
-  if constexpr(is_mesh<Surface_type>)
+  if constexpr(is_mesh<typename Domain::Surface>)
   {
-    const auto h = surface.halfedge(location.first);
+    const std::size_t first_corner = 3 * std::size_t{domain.triangle(location.first)};
     std::string text;
-    for(const auto vertex : {surface.source(h), surface.target(h), surface.target(surface.next(h))})
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const auto vertex = domain.vertex(domain.triangles()->corner[first_corner + k]);
       text += std::to_string(std::size_t(vertex)) + ' ';
+    }
     for(std::size_t k = 0; k < 3; ++k)
       text += (k > 0 ? " " : "") + number_text(location.second[k]);
     return text;

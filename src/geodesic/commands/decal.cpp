@@ -131,12 +131,10 @@ Decal_result place_decals(const Domain& domain, const std::vector<Decal_placemen
 }
 
 // Computes the decals and the resulting vertex colors and texture.
-template <typename Surface_type>
-Decal_result find_decals(const Surface_type& surface,
-                         const std::vector<Decal_placement>& placements,
+template <typename Domain>
+Decal_result find_decals(const Domain& domain, const std::vector<Decal_placement>& placements,
                          const Decal_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
   return place_decals(domain, placements, options, job);
 }
 
@@ -264,8 +262,8 @@ void run_decal(Job& job, const Decal_options& options)
 
   job.begin_stage("prepare");
   Decal_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = find_decals(mesh_or_cloud, placements, options, job); });
+  visit_domain(job,
+               [&](const auto& domain) { result = find_decals(domain, placements, options, job); });
   job.result()["faces"] = result.faces;
   job.result()["covered"] = result.covered.size();
   if(surface.is_mesh())

@@ -62,12 +62,10 @@ std::vector<double> metric_distances(const Domain& domain, const Distance_option
 }
 
 // Computes the distance of each vertex.
-template <typename Surface_type>
-Distance_result compute_distances(const Surface_type& surface, const Distance_options& options,
-                                  Job& job)
+template <typename Domain>
+Distance_result compute_distances(const Domain& domain, const Distance_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Domain = std::decay_t<decltype(domain)>;
+  using Surface_type = typename Domain::Surface;
   Distance_result result;
   std::vector<GP::Source<Surface_type>> sources;
   if(!options.source.empty())
@@ -84,7 +82,7 @@ Distance_result compute_distances(const Surface_type& surface, const Distance_op
   }
   if constexpr(is_mesh<Surface_type>)
     if(options.use_boundary)
-      GP::border_sources(surface, std::back_inserter(sources));
+      GP::border_sources(domain, std::back_inserter(sources));
   if(sources.empty())
     fail(job.input(), "the mesh has no boundary");
 
@@ -152,8 +150,7 @@ void run_distance(Job& job, const Distance_options& options)
 
   job.begin_stage("prepare");
   Distance_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = compute_distances(mesh_or_cloud, options, job); });
+  visit_domain(job, [&](const auto& domain) { result = compute_distances(domain, options, job); });
   const double largest_distance = report_distances(job, result.values);
 
   job.begin_stage("write");

@@ -41,11 +41,11 @@ void check(const Emd_options& options, const Job& job)
 }
 
 // Computes the earth mover's distance and the optimal flow.
-template <typename Surface_type>
-Transport_result compute_transport(const Surface_type& surface, const Masses& from,
-                                   const Masses& to, const Emd_options& options, Job& job)
+template <typename Domain>
+Transport_result compute_transport(const Domain& domain, const Masses& from, const Masses& to,
+                                   const Emd_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
+  using Surface_type = typename Domain::Surface;
   Transport_result result;
   const auto from_masses = distribution(domain, from), to_masses = distribution(domain, to);
   if(options.basis == complete_basis)
@@ -56,18 +56,18 @@ Transport_result compute_transport(const Surface_type& surface, const Masses& fr
     result.cost = compute_cost(solver, options.method, from_masses, to_masses,
                                query_parameters(options, job));
     job.result()["estimate"] = json_number(result.cost.estimate);
-    copy_solution(solver, surface, job, result);
+    copy_solution(domain, solver, job, result);
   }
   else
   {
     const GP::Transport_metric<Surface_type> metric(domain, basis_size(options));
     job.result()["basis"] = metric.basis_size();
     job.begin_stage("query");
-    const auto flow = vector_map(result.fields["flow"], surface);
+    const auto flow = vector_map(result.fields["flow"], domain);
     result.cost =
         metric.cost(from_masses, to_masses, query_parameters(options, job).flow_map(flow));
   }
-  add_hodge_decomposition(domain, surface, options, result);
+  add_hodge_decomposition(domain, options, result);
   result.triangles = picture_triangles(domain, job);
   return result;
 }
@@ -82,8 +82,8 @@ void run_emd(Job& job, const Emd_options& options)
 
   job.begin_stage("prepare");
   Transport_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = compute_transport(mesh_or_cloud, from, to, options, job); });
+  visit_domain(job, [&](const auto& domain)
+               { result = compute_transport(domain, from, to, options, job); });
   report(job, options, result.cost, "earth mover's distance");
 
   job.begin_stage("write");

@@ -15,13 +15,12 @@ struct Feature_options : Transport_options
 };
 
 // Computes the distance of each vertex by optimal transport.
-template <typename Surface_type>
-Transport_result compute_distances(const Surface_type& surface,
-                                   const std::vector<std::size_t>& vertices,
+template <typename Domain>
+Transport_result compute_distances(const Domain& domain, const std::vector<std::size_t>& vertices,
                                    const Feature_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
+  using Surface_type = typename Domain::Surface;
+  using Vertex = typename Domain::Vertex;
   std::vector<GP::Source<Surface_type>> feature;
   for(const std::size_t vertex : vertices)
     feature.emplace_back(vertex_at<Surface_type>(vertex));
@@ -29,7 +28,7 @@ Transport_result compute_distances(const Surface_type& surface,
   add_sources(domain, options.region, job.surface(), feature, result);
   if constexpr(is_mesh<Surface_type>)
     if(options.use_boundary)
-      GP::border_sources(surface, std::back_inserter(feature));
+      GP::border_sources(domain, std::back_inserter(feature));
   if(feature.empty())
     fail(job.input(), "the mesh has no boundary");
   job.begin_stage("query");
@@ -61,8 +60,8 @@ void run_feature_distance(Job& job, const Feature_options& options)
 
   job.begin_stage("prepare");
   Transport_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = compute_distances(mesh_or_cloud, vertices, options, job); });
+  visit_domain(job, [&](const auto& domain)
+               { result = compute_distances(domain, vertices, options, job); });
   const double largest_distance = report_distances(job, result.potential);
   report(job, options, result.cost, "integral");
 

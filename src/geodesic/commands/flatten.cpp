@@ -30,12 +30,12 @@ struct Flatten_options
 };
 
 // Computes the UV coordinates and their distortion.
-template <typename Surface_type>
-void flatten_surface(const Surface_type& surface, const Flatten_options& options, Job& job,
+template <typename Domain>
+void flatten_surface(const Domain& domain, const Flatten_options& options, Job& job,
                      std::vector<UV>& uv)
 {
-  const auto domain = make_domain(surface, job);
-  const Value_map<typename decltype(domain)::Vertex, UV> map = {&uv};
+  using Surface_type = typename Domain::Surface;
+  const Value_map<typename Domain::Vertex, UV> map = {&uv};
   job.begin_stage("query");
   if(options.method == "glle" || options.method == "mds")
   {
@@ -142,8 +142,7 @@ void run_flatten(Job& job, const Flatten_options& options)
         " a mesh.");
   job.begin_stage("prepare");
   std::vector<UV> uv(surface.file.points.size());
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { flatten_surface(mesh_or_cloud, options, job, uv); });
+  visit_domain(job, [&](const auto& domain) { flatten_surface(domain, options, job, uv); });
 
   job.begin_stage("write");
   job.write_values(

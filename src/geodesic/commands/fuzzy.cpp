@@ -25,12 +25,12 @@ std::size_t parse_vertex(const std::string& text, const std::string& option)
 }
 
 // Computes the likelihood of each vertex.
-template <typename Surface_type>
-Transport_result compute_likelihoods(const Surface_type& surface, std::size_t from, std::size_t to,
+template <typename Domain>
+Transport_result compute_likelihoods(const Domain& domain, std::size_t from, std::size_t to,
                                      const Fuzzy_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
+  using Surface_type = typename Domain::Surface;
+  using Vertex = typename Domain::Vertex;
   const Vertex p = vertex_at<Surface_type>(from), q = vertex_at<Surface_type>(to);
   job.begin_stage("query");
   Transport_result result;
@@ -74,8 +74,8 @@ void run_fuzzy(Job& job, const Fuzzy_options& options)
 
   job.begin_stage("prepare");
   Transport_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = compute_likelihoods(mesh_or_cloud, from, to, options, job); });
+  visit_domain(job, [&](const auto& domain)
+               { result = compute_likelihoods(domain, from, to, options, job); });
   if(!options.by_distances)
     report(job, options, result.cost, "cost");
 

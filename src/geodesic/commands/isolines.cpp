@@ -41,9 +41,9 @@ bool has_sources(const Isoline_options& options)
 }
 
 // Computes the distance of each vertex.
-std::vector<double> source_distances(const Mesh& mesh, const Isoline_options& options, Job& job)
+std::vector<double> source_distances(const Mesh_domain& domain, const Isoline_options& options,
+                                     Job& job)
 {
-  const auto domain = make_domain(mesh, job);
   std::vector<GP::Source<Mesh>> sources;
   if(!options.source.empty())
     for(const std::size_t vertex : parse_indices(options.source, "--source"))
@@ -51,7 +51,7 @@ std::vector<double> source_distances(const Mesh& mesh, const Isoline_options& op
   if(!options.source_at.empty())
     sources.emplace_back(locate(domain, options.source_at, "--source-at"));
   if(options.use_boundary)
-    GP::border_sources(mesh, std::back_inserter(sources));
+    GP::border_sources(domain, std::back_inserter(sources));
   if(sources.empty())
     fail(job.input(), "the mesh has no boundary");
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
@@ -89,11 +89,11 @@ std::vector<double> isovalues_of(const Isoline_options& options, const std::vect
 }
 
 // Computes the values and their isolines.
-Isoline_result find_isolines(const Mesh& mesh, const Isoline_options& options, Job& job)
+Isoline_result find_isolines(const Mesh_domain& domain, const Isoline_options& options, Job& job)
 {
   Isoline_result result;
   if(options.property.empty())
-    result.values = source_distances(mesh, options, job);
+    result.values = source_distances(domain, options, job);
   else
     result.values = property(job.surface(), options.property);
   job.begin_stage("query");
@@ -101,7 +101,7 @@ Isoline_result find_isolines(const Mesh& mesh, const Isoline_options& options, J
   const bool do_fit_circles =
       options.property.empty() && !options.use_boundary && !options.speed_options.is_given();
   std::vector<GP::Isoline<Mesh>> lines;
-  GP::isolines(make_domain(mesh, job), Property_map<Mesh::Vertex_index>{&result.values},
+  GP::isolines(domain, Property_map<Mesh::Vertex_index>{&result.values},
                isovalues_of(options, result.values), std::back_inserter(lines),
                GP::parameters::do_fit_circles(do_fit_circles));
   for(const auto& line : lines)
@@ -145,7 +145,7 @@ void run_isolines(Job& job, const Isoline_options& options)
       check_vertex(surface, vertex);
 
   job.begin_stage("prepare");
-  const Isoline_result result = find_isolines(surface.domain->mesh(), options, job);
+  const Isoline_result result = find_isolines(*surface.domain, options, job);
   job.result()["lines"] = result.lines.size();
   job.result()["closed"] = result.number_of_closed;
   job.result()["length"] = json_number(result.length);

@@ -79,12 +79,10 @@ void compute_paths([[maybe_unused]] const Domain& domain, const typename Domain:
 }
 
 // Computes the mean and, if they are requested, the paths and the sums of squared distances.
-template <typename Surface_type>
-Karcher_mean_result find_mean(const Surface_type& surface, const Karcher_mean_options& options,
-                              Job& job)
+template <typename Domain>
+Karcher_mean_result find_mean(const Domain& domain, const Karcher_mean_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Domain = std::decay_t<decltype(domain)>;
+  using Surface_type = typename Domain::Surface;
   std::vector<typename Domain::Location> points;
   if(!options.points.empty())
     for(const std::size_t vertex : parse_indices(options.points, "--points"))
@@ -114,7 +112,7 @@ Karcher_mean_result find_mean(const Surface_type& surface, const Karcher_mean_op
 
   Karcher_mean_result result;
   result.mean = coordinates(mean.point);
-  result.location = location_text(surface, mean.location);
+  result.location = location_text(domain, mean.location);
   result.value = mean.value;
   result.gradient_norm = mean.gradient_norm;
   result.is_converged = mean.is_converged;
@@ -169,8 +167,7 @@ void run_karcher_mean(Job& job, const Karcher_mean_options& options)
 
   job.begin_stage("prepare");
   Karcher_mean_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = find_mean(mesh_or_cloud, options, job); });
+  visit_domain(job, [&](const auto& domain) { result = find_mean(domain, options, job); });
   job.result()["mean"] = result.mean;
   job.result()["value"] = json_number(result.value);
   job.result()["gradient_norm"] = json_number(result.gradient_norm);

@@ -70,10 +70,9 @@ Logmap_result compute_map(const Domain& domain, const Log_kind& kind, const Logm
 }
 
 // Computes the logarithmic map.
-template <typename Surface_type>
-Logmap_result find_map(const Surface_type& surface, const Logmap_options& options, Job& job)
+template <typename Domain>
+Logmap_result find_map(const Domain& domain, const Logmap_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
   const Log_method method = options.method == "exact" ? Log_method::exact
                             : options.method == "discrete-exponential"
                                 ? Log_method::discrete_exponential
@@ -167,8 +166,7 @@ void run_logmap(Job& job, const Logmap_options& options)
 
   job.begin_stage("prepare");
   Logmap_result result;
-  visit_surface(surface,
-                [&](const auto& mesh_or_cloud) { result = find_map(mesh_or_cloud, options, job); });
+  visit_domain(job, [&](const auto& domain) { result = find_map(domain, options, job); });
   job.result()["values"] = result.reached;
   job.result()["cut"] = result.cut;
   job.result()["flips"] = result.flips;

@@ -68,11 +68,10 @@ std::vector<double> picture_values(const Domain& domain,
 }
 
 // Selects the row vertices and computes the distances between them.
-template <typename Surface_type>
-Matrix_result compute_matrix(const Surface_type& surface, const Matrix_options& options, Job& job)
+template <typename Domain>
+Matrix_result compute_matrix(const Domain& domain, const Matrix_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Domain = std::decay_t<decltype(domain)>;
+  using Surface_type = typename Domain::Surface;
   job.begin_stage("query");
   Matrix_result result;
   if(!options.sources.empty())
@@ -205,8 +204,7 @@ void run_matrix(Job& job, const Matrix_options& options)
 
   job.begin_stage("prepare");
   Matrix_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = compute_matrix(mesh_or_cloud, options, job); });
+  visit_domain(job, [&](const auto& domain) { result = compute_matrix(domain, options, job); });
   const std::size_t rows = result.vertices.size();
   job.result()["rows"] = rows;
   job.result()["entries"] = result.entries;

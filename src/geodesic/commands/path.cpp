@@ -72,11 +72,10 @@ void copy_path(const Path& path, Path_result& result)
 }
 
 // Computes the path between two endpoints.
-template <typename Surface_type>
-Path_result find_path(const Surface_type& surface, const Path_options& options, Job& job)
+template <typename Domain>
+Path_result find_path(const Domain& domain, const Path_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Domain = std::decay_t<decltype(domain)>;
+  using Surface_type = typename Domain::Surface;
   using Path_endpoint = std::variant<typename Domain::Vertex, typename Domain::Location>;
   const auto endpoint = [&](const Path_end& end)
   {
@@ -169,8 +168,7 @@ void run_path(Job& job, const Path_options& options)
   if(!surface.is_mesh() && is_single_search(options))
     result = find_cloud_path(make_cloud(surface), options, job);
   else
-    visit_surface(surface, [&](const auto& mesh_or_cloud)
-                  { result = find_path(mesh_or_cloud, options, job); });
+    visit_domain(job, [&](const auto& domain) { result = find_path(domain, options, job); });
   if(result.points.empty())
     fail(surface.name, "no path connects the endpoints, which are in different components");
   job.result()["length"] = json_number(result.length);

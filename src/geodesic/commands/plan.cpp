@@ -44,12 +44,12 @@ std::vector<double> capacities(const std::string& text, const std::vector<std::s
 }
 
 // Computes the optimal transport from the masses to the region.
-template <typename Surface_type>
+template <typename Domain>
 Transport_result
-compute_plan(const Surface_type& surface, const Masses& from, const std::vector<std::size_t>& to,
+compute_plan(const Domain& domain, const Masses& from, const std::vector<std::size_t>& to,
              const std::vector<double>& capacity, const Plan_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
+  using Surface_type = typename Domain::Surface;
   std::vector<GP::Source<Surface_type>> region;
   for(const std::size_t vertex : to)
     region.emplace_back(vertex_at<Surface_type>(vertex));
@@ -62,10 +62,10 @@ compute_plan(const Surface_type& surface, const Masses& from, const std::vector<
   job.begin_stage("query");
   result.cost = compute_cost(solver, options.method, distribution(domain, from),
                              query_parameters(options, job));
-  copy_solution(solver, surface, job, result);
+  copy_solution(domain, solver, job, result);
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
     result.arrivals.push_back(solver.arrival(vertex_at<Surface_type>(i)));
-  add_hodge_decomposition(domain, surface, options, result);
+  add_hodge_decomposition(domain, options, result);
   result.triangles = picture_triangles(domain, job);
   return result;
 }
@@ -88,8 +88,8 @@ void run_plan(Job& job, const Plan_options& options)
 
   job.begin_stage("prepare");
   Transport_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = compute_plan(mesh_or_cloud, from, to, capacity, options, job); });
+  visit_domain(job, [&](const auto& domain)
+               { result = compute_plan(domain, from, to, capacity, options, job); });
   report(job, options, result.cost, "cost");
   std::vector<std::size_t> marked_vertices = from.vertices;
   if(!options.to.empty() && is_vertex_list(options.to))

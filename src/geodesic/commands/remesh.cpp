@@ -65,11 +65,9 @@ void fill_and_report(Mesh& mesh, std::size_t max_edges, Job& job)
 }
 
 // Computes the mesh and the locations of its vertices.
-template <typename Surface_type>
-Remesh_result find_mesh(const Surface_type& surface, const Remesh_options& options, Job& job)
+template <typename Domain>
+Remesh_result find_mesh(const Domain& domain, const Remesh_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Domain = std::decay_t<decltype(domain)>;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
   Mesh mesh;
@@ -86,7 +84,7 @@ Remesh_result find_mesh(const Surface_type& surface, const Remesh_options& optio
   result.found = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, parameters);
   if(!job.values().empty())
     for(const auto v : mesh.vertices())
-      result.text += location_text(surface, get(locations, v)) + '\n';
+      result.text += location_text(domain, get(locations, v)) + '\n';
   result.file = to_file(mesh);
   return result;
 }
@@ -104,15 +102,14 @@ void run_remesh(Job& job, const Remesh_options& options)
 
   job.begin_stage("prepare");
   Remesh_result result;
-  if(surface.is_mesh())
+  if(options.max_hole_edges)
   {
     Mesh mesh = surface.domain->mesh();
-    if(options.max_hole_edges)
-      fill_and_report(mesh, *options.max_hole_edges, job);
-    result = find_mesh(mesh, options, job);
+    fill_and_report(mesh, *options.max_hole_edges, job);
+    result = find_mesh(Mesh_domain(mesh), options, job);
   }
   else
-    result = find_mesh(make_cloud(surface), options, job);
+    visit_domain(job, [&](const auto& domain) { result = find_mesh(domain, options, job); });
   job.result()["vertices_out"] = result.file.points.size();
   job.result()["faces_out"] = result.file.number_of_polygons();
   job.result()["added"] = result.found.number_of_added_vertices;

@@ -31,11 +31,10 @@ struct Sample_result
 };
 
 // Computes the samples.
-template <typename Surface_type>
-Sample_result find_samples(const Surface_type& surface, const Sample_options& options, Job& job)
+template <typename Domain>
+Sample_result find_samples(const Domain& domain, const Sample_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Domain = std::decay_t<decltype(domain)>;
+  using Surface_type = typename Domain::Surface;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
   Sample_result result;
@@ -52,7 +51,7 @@ Sample_result find_samples(const Surface_type& surface, const Sample_options& op
   for(const auto& sample : samples)
   {
     result.points.push_back(location_point(domain, sample));
-    result.text += location_text(surface, sample) + '\n';
+    result.text += location_text(domain, sample) + '\n';
     if constexpr(!is_mesh<Surface_type>)
       result.normals.push_back(job.surface().file.normals[std::size_t(sample.surfel)]);
   }
@@ -72,8 +71,7 @@ void run_sample(Job& job, const Sample_options& options)
 
   job.begin_stage("prepare");
   Sample_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = find_samples(mesh_or_cloud, options, job); });
+  visit_domain(job, [&](const auto& domain) { result = find_samples(domain, options, job); });
   const double radius = result.covering_radii.empty() ? std::numeric_limits<double>::infinity()
                                                       : result.covering_radii.back();
   job.result()["samples"] = result.points.size();

@@ -32,11 +32,10 @@ struct Segment_result
 };
 
 // Computes the cells.
-template <typename Surface_type>
-Segment_result find_cells(const Surface_type& surface, const Segment_options& options, Job& job)
+template <typename Domain>
+Segment_result find_cells(const Domain& domain, const Segment_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Domain = std::decay_t<decltype(domain)>;
+  using Surface_type = typename Domain::Surface;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
   Segment_result result;
@@ -101,8 +100,7 @@ void run_segment(Job& job, const Segment_options& options)
 
   job.begin_stage("prepare");
   Segment_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = find_cells(mesh_or_cloud, options, job); });
+  visit_domain(job, [&](const auto& domain) { result = find_cells(domain, options, job); });
   job.result()["charts"] = result.centers.size();
   job.result()["energy"] = json_number(result.energies.back());
   job.result()["energies"] = result.energies;

@@ -29,12 +29,12 @@ struct Streamline_result
 };
 
 // Computes streamlines of the optimal flow.
-template <typename Surface_type>
-Streamline_result compute_streamlines(const Surface_type& surface, const Masses& from,
-                                      const Masses& to, const std::vector<std::size_t>& seeds,
+template <typename Domain>
+Streamline_result compute_streamlines(const Domain& domain, const Masses& from, const Masses& to,
+                                      const std::vector<std::size_t>& seeds,
                                       const Streamline_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
+  using Surface_type = typename Domain::Surface;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   GP::Earth_movers_solver<Surface_type> solver(domain, preparation(domain, options, speed));
   job.begin_stage("query");
@@ -74,8 +74,8 @@ void run_streamlines(Job& job, const Streamline_options& options)
 
   job.begin_stage("prepare");
   Streamline_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = compute_streamlines(mesh_or_cloud, from, to, seeds, options, job); });
+  visit_domain(job, [&](const auto& domain)
+               { result = compute_streamlines(domain, from, to, seeds, options, job); });
   report(job, options, result.cost, "earth mover's distance");
   const double number_of_lines = static_cast<double>(std::max<std::size_t>(1, result.lines.size()));
   job.result()["lines"] = result.lines.size();

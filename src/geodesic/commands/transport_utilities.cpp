@@ -321,23 +321,24 @@ void add_sources(const Domain& domain, const Region_options& options, const Surf
   }
 }
 
-template <typename Surface_type>
-void copy_solution(const GP::Transport_solution<Surface_type>& solution,
-                   const Surface_type& surface, const Job& job, Transport_result& result)
+template <typename Domain>
+void copy_solution(const Domain& domain,
+                   const GP::Transport_solution<typename Domain::Surface>& solution, const Job& job,
+                   Transport_result& result)
 {
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
-    result.potential.push_back(solution.potential(vertex_at<Surface_type>(i)));
-  solution.write_flow(vector_map(result.fields["flow"], surface));
+    result.potential.push_back(solution.potential(vertex_at<typename Domain::Surface>(i)));
+  solution.write_flow(vector_map(result.fields["flow"], domain));
 }
 
-template <typename Domain, typename Surface_type>
-void add_hodge_decomposition(const Domain& domain, const Surface_type& surface,
-                             const Transport_options& options, Transport_result& result)
+template <typename Domain>
+void add_hodge_decomposition(const Domain& domain, const Transport_options& options,
+                             Transport_result& result)
 {
   if(!options.hodge)
     return;
-  const auto map = [&](const char* name) { return vector_map(result.fields[name], surface); };
-  if constexpr(is_mesh<Surface_type>)
+  const auto map = [&](const char* name) { return vector_map(result.fields[name], domain); };
+  if constexpr(is_mesh<typename Domain::Surface>)
     GP::hodge_decomposition(domain, map("flow"), map("gradient"), map("rotation"), map("harmonic"));
   else
     GP::hodge_decomposition(domain, map("flow"), map("gradient"), map("remainder"));
@@ -349,13 +350,13 @@ template void add_sources(const Mesh_domain&, const Region_options&, const Surfa
                           std::vector<GP::Source<Mesh>>&, Transport_result&);
 template void add_sources(const Cloud_domain&, const Region_options&, const Surface&,
                           std::vector<GP::Source<Cloud>>&, Transport_result&);
-template void copy_solution(const GP::Transport_solution<Mesh>&, const Mesh&, const Job&,
+template void copy_solution(const Mesh_domain&, const GP::Transport_solution<Mesh>&, const Job&,
                             Transport_result&);
-template void copy_solution(const GP::Transport_solution<Cloud>&, const Cloud&, const Job&,
+template void copy_solution(const Cloud_domain&, const GP::Transport_solution<Cloud>&, const Job&,
                             Transport_result&);
-template void add_hodge_decomposition(const Mesh_domain&, const Mesh&, const Transport_options&,
+template void add_hodge_decomposition(const Mesh_domain&, const Transport_options&,
                                       Transport_result&);
-template void add_hodge_decomposition(const Cloud_domain&, const Cloud&, const Transport_options&,
+template void add_hodge_decomposition(const Cloud_domain&, const Transport_options&,
                                       Transport_result&);
 
 } // namespace program

@@ -115,17 +115,17 @@ struct Vector_map
 };
 
 // Returns a property map of vectors for faces of a mesh or surfels.
-template <typename Surface_type>
-auto vector_map(std::vector<Point>& vectors, const Surface_type& surface)
+template <typename Domain>
+auto vector_map(std::vector<Point>& vectors, const Domain& domain)
 {
-  if constexpr(is_mesh<Surface_type>)
+  if constexpr(is_mesh<typename Domain::Surface>)
   {
-    vectors.resize(surface.number_of_faces());
+    vectors.resize(domain.triangles()->number_of_triangles());
     return Vector_map<Mesh::Face_index>{&vectors};
   }
   else
   {
-    vectors.resize(surface.size());
+    vectors.resize(domain.number_of_vertices());
     return Vector_map<Cloud::Index>{&vectors};
   }
 }
@@ -175,15 +175,16 @@ GP::Earth_movers_cost compute_cost(Solver& solver, const std::string& method,
 }
 
 // Copies the solution of a solver's last query to the result.
-template <typename Surface_type>
-void copy_solution(const GP::Transport_solution<Surface_type>& solution,
-                   const Surface_type& surface, const Job& job, Transport_result& result);
+template <typename Domain>
+void copy_solution(const Domain& domain,
+                   const GP::Transport_solution<typename Domain::Surface>& solution, const Job& job,
+                   Transport_result& result);
 
 // Adds the components of the flow if the decomposition is requested: the gradient, the rotation and
 // the harmonic field on a mesh, the gradient and the remainder on a cloud.
-template <typename Domain, typename Surface_type>
-void add_hodge_decomposition(const Domain& domain, const Surface_type& surface,
-                             const Transport_options& options, Transport_result& result);
+template <typename Domain>
+void add_hodge_decomposition(const Domain& domain, const Transport_options& options,
+                             Transport_result& result);
 
 // Reports the cost in the JSON result and on standard output.
 void report(Job& job, const Transport_options& options, const GP::Earth_movers_cost& cost,

@@ -233,7 +233,7 @@ void run_volume(Job& job, const Volume_options& options)
                                    .do_bound_from_above(options.bound_above)
                                    .callback(job.progress_callback("transport"))
                                    .potential_map(Value_map<Mesh::Vertex_index>{&result.potential})
-                                   .flow_map(vector_map(result.fields["flow"], mesh)));
+                                   .flow_map(vector_map(result.fields["flow"], *surface.domain)));
     report(job, options, result.cost, "distance");
     job.begin_stage("write");
     write_transport(job, result, {});

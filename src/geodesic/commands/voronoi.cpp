@@ -28,11 +28,11 @@ struct Voronoi_result
 };
 
 // Computes the seeds, the nearest seed of each vertex and the bisectors.
-template <typename Surface_type>
-Voronoi_result find_cells(const Surface_type& surface, const Voronoi_options& options, Job& job)
+template <typename Domain>
+Voronoi_result find_cells(const Domain& domain, const Voronoi_options& options, Job& job)
 {
-  const auto domain = make_domain(surface, job);
-  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
+  using Surface_type = typename Domain::Surface;
+  using Vertex = typename Domain::Vertex;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
   Voronoi_result result;
@@ -74,8 +74,7 @@ void run_voronoi(Job& job, const Voronoi_options& options)
 
   job.begin_stage("prepare");
   Voronoi_result result;
-  visit_surface(surface, [&](const auto& mesh_or_cloud)
-                { result = find_cells(mesh_or_cloud, options, job); });
+  visit_domain(job, [&](const auto& domain) { result = find_cells(domain, options, job); });
   job.result()["seeds"] = result.seeds;
   job.print_line("seeds           " + std::to_string(result.seeds.size()));
   report_unreached(job, result.labels);

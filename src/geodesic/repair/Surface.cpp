@@ -5,6 +5,9 @@
 #include "readers/Scanner.h"
 #include "repair/complete_normals.h"
 
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/range/adaptor/transformed.hpp>
+#include <boost/range/irange.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <cstdint>
@@ -15,19 +18,38 @@ namespace program {
 
 namespace {
 
+using Domain = CGAL::Geodesic_processing::Soup_domain<Kernel::Point_3>;
+
 // Replaces the polygons by the triangles of a mesh.
-void set_triangles(const Mesh& mesh, Surface_file& file)
+void set_triangles(const Domain& domain, Surface_file& file)
 {
-  file.corners.clear();
-  file.polygon_begin.assign(1, 0);
-  for(const Mesh::Face_index face : mesh.faces())
+  const std::size_t number_of_faces = domain.number_of_faces();
+  file.corners.resize(3 * number_of_faces);
+  file.polygon_begin.resize(number_of_faces + 1);
+  for(std::size_t f = 0; f < number_of_faces; ++f)
   {
-    const Mesh::Halfedge_index h = mesh.halfedge(face);
-    for(const Mesh::Vertex_index corner :
-        {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
-      file.corners.push_back(corner);
-    file.polygon_begin.push_back(file.corners.size());
+    const auto corners = domain.corners(Mesh::Face_index(static_cast<Mesh::size_type>(f)));
+    for(std::size_t k = 0; k < 3; ++k)
+      file.corners[3 * f + k] = static_cast<std::uint32_t>(corners[k]);
+    file.polygon_begin[f + 1] = 3 * (f + 1);
   }
+}
+
+// Constructs the domain from the arrays of a file, without copies of them.
+Domain make_domain(const Surface_file& file)
+{
+  const auto point_map = boost::make_function_property_map<Point>(
+      [](const Point& p) { return Kernel::Point_3(p[0], p[1], p[2]); });
+  const auto polygon = [&file](std::size_t f)
+  {
+    return boost::make_iterator_range(file.corners.data() + file.polygon_begin[f],
+                                      file.corners.data() + file.polygon_begin[f + 1]);
+  };
+  return CGAL::Geodesic_processing::make_domain(
+      file.points,
+      boost::irange<std::size_t>(0, file.number_of_polygons()) |
+          boost::adaptors::transformed(polygon),
+      CGAL::parameters::point_map(point_map));
 }
 
 } // namespace
@@ -43,24 +65,15 @@ Surface repair(Surface_file file, const std::string& filename, unsigned threads)
     surface.is_repaired = complete_normals(surface.file, threads);
     return surface;
   }
-  std::vector<Kernel::Point_3> points;
-  points.reserve(surface.file.points.size());
-  for(const Point& p : surface.file.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  std::vector<boost::iterator_range<const std::uint32_t*>> polygons;
-  polygons.reserve(surface.file.number_of_polygons());
-  for(std::size_t f = 0; f < surface.file.number_of_polygons(); ++f)
-    polygons.emplace_back(surface.file.corners.data() + surface.file.polygon_begin[f],
-                          surface.file.corners.data() + surface.file.polygon_begin[f + 1]);
   try
   {
-    surface.domain = CGAL::Geodesic_processing::make_domain(points, polygons);
+    surface.domain = make_domain(surface.file);
   }
   catch(const std::runtime_error& error)
   {
     throw Input_error(filename + ": " + error.what());
   }
-  set_triangles(surface.domain->mesh(), surface.file);
+  set_triangles(*surface.domain, surface.file);
   if(surface.file.corners.empty())
     fail(filename, "all of its faces are degenerate");
   surface.is_repaired = surface.domain->report().is_changed();
