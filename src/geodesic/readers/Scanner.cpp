@@ -2,19 +2,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/Scanner.h"
 
+#include "readers/plain_numbers.h"
+
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 
 namespace program {
 
+namespace {
+
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+// Returns the position of the first character that satisfies a condition, or the
+// size of the text. Faster than the search of std::string_view for one of several characters.
+template <typename Condition>
+std::size_t find_first(std::string_view text, Condition condition)
+{
+  const char *const begin = text.data(), *const end = begin + text.size();
+  const char* c = begin;
+  while(c != end && !condition(*c))
+    ++c;
+  return static_cast<std::size_t>(c - begin);
+}
+
+} // namespace
+
+bool Scanner::is_separator(char c) const
+{
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f' ||
+         (splits_at_commas && (c == ',' || c == ';'));
+}
+
 bool Scanner::next_line()
 {
   while(!m_rest.empty())
   {
-    const std::size_t end = m_rest.find_first_of("\r\n");
+    const std::size_t end = find_first(m_rest, is_line_end);
     m_line = m_rest.substr(0, end);
-    if(end == std::string_view::npos)
+    if(end == m_rest.size())
       m_rest = {};
     else
       m_rest.remove_prefix(end + (m_rest.substr(end, 2) == "\r\n" ? 2 : 1));
@@ -30,9 +56,7 @@ bool Scanner::next_line()
 
 void Scanner::skip_separators()
 {
-  const char* const separators = splits_at_commas ? " \t\v\f,;" : " \t\v\f";
-  const std::size_t begin = m_line.find_first_not_of(separators);
-  m_line.remove_prefix(begin == std::string_view::npos ? m_line.size() : begin);
+  m_line.remove_prefix(find_first(m_line, [this](char c) { return !is_separator(c); }));
 }
 
 bool Scanner::is_line_empty()
@@ -44,7 +68,7 @@ bool Scanner::is_line_empty()
 std::string_view Scanner::word()
 {
   skip_separators();
-  const std::size_t end = m_line.find_first_of(splits_at_commas ? " \t\v\f,;" : " \t\v\f");
+  const std::size_t end = find_first(m_line, [this](char c) { return is_separator(c); });
   const std::string_view result = m_line.substr(0, end);
   m_line.remove_prefix(result.size());
   return result;
@@ -93,6 +117,8 @@ long long Scanner::parse_integer(std::string_view word) const
 
 std::optional<double> to_number(std::string_view word)
 {
+  if(const std::optional<double> value = plain_number(word))
+    return value;
   if(word.size() > 1 && word[0] == '+' && word[1] != '-')
     word.remove_prefix(1);
   double value = 0.;
@@ -108,6 +134,8 @@ std::optional<double> to_number(std::string_view word)
 
 std::optional<long long> to_integer(std::string_view word)
 {
+  if(const std::optional<long long> value = plain_integer(word))
+    return value;
   if(word.size() > 1 && word[0] == '+' && word[1] != '-')
     word.remove_prefix(1);
   long long value = 0;

@@ -45,6 +45,7 @@ public:
   long long parse_integer(std::string_view word) const; // fails if it is not an integer
 
 private:
+  bool is_separator(char c) const;
   void skip_separators();
 
   std::string_view m_rest;

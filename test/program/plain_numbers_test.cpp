@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/plain_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+namespace plain_numbers_test {
+
+using program::plain_integer;
+using program::plain_number;
+
+// Returns a random word: mostly a decimal number, sometimes with a character too many.
+std::string random_word(std::mt19937& random)
+{
+  const auto digits = [&](unsigned max_count)
+  {
+    std::string text;
+    for(unsigned i = random() % (max_count + 1); i > 0; --i)
+      text += static_cast<char>('0' + random() % 10);
+    return text;
+  };
+  std::string word = random() % 3 == 0 ? "-" : "";
+  word += digits(random() % 4 == 0 ? 22 : 8);
+  if(random() % 4 != 0)
+    word += "." + digits(random() % 4 == 0 ? 22 : 8);
+  if(random() % 3 == 0)
+    word += std::string(random() % 2 == 0 ? "e" : "E") +
+            (random() % 3 == 0   ? "-"
+             : random() % 2 == 0 ? "+"
+                                 : "") +
+            digits(3);
+  if(random() % 20 == 0)
+    word += "x";
+  return word;
+}
+
+TEST(Plain_numbers, AgreeWithTheStandardLibrary)
+{
+  std::mt19937 random(1);
+  int number_of_plain_numbers = 0;
+  for(int i = 0; i < 200000; ++i)
+  {
+    const std::string word = random_word(random);
+    const std::optional<double> value = plain_number(word);
+    if(!value)
+      continue;
+    ++number_of_plain_numbers;
+    char* end = nullptr;
+    const double expected = std::strtod(word.c_str(), &end);
+    ASSERT_EQ(*end, '\0') << word;
+    ASSERT_EQ(*value, expected) << word;
+    ASSERT_EQ(std::signbit(*value), std::signbit(expected)) << word;
+  }
+  EXPECT_GT(number_of_plain_numbers, 10000);
+}
+
+TEST(Plain_numbers, WordsThatAreNoNumbersAreLeftToTheGeneralParser)
+{
+  for(const char* word : {"",      "-",
+                          ".",     "-.",
+                          "e5",    "1e",
+                          "1e+",   "+1",
+                          "1 ",    " 1",
+                          "1x",    "0x1",
+                          "nan",   "inf",
+                          "--1",   "1.2.3",
+                          "1e5.0", "12345678901234567890",
+                          "1e23",  "9007199254740993"})
+    EXPECT_FALSE(plain_number(word).has_value()) << word;
+  for(const char* word : {"", "-1", "+1", "1.", "1x", " 1", "1234567890123456789"})
+    EXPECT_FALSE(plain_integer(word).has_value()) << word;
+}
+
+TEST(Plain_numbers, LimitsOfTheExactRangeAreRead)
+{
+  EXPECT_EQ(plain_number("9007199254740992"), 9007199254740992.); // 2^53
+  EXPECT_EQ(plain_number("1e22"), 1e22);
+  EXPECT_EQ(plain_number("1e-22"), 1e-22);
+  EXPECT_EQ(plain_number("5."), 5.);
+  EXPECT_EQ(plain_number(".5"), .5);
+  EXPECT_EQ(plain_integer("999999999999999999"), 999999999999999999ll);
+}
+
+} // namespace plain_numbers_test
