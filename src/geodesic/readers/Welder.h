@@ -5,8 +5,6 @@
 
 #include "readers/Surface_file.h"
 
-#include <unordered_map>
-
 namespace program {
 
 // Merges vertices with equal coordinates. Vertices are numbered in the order of their first
@@ -17,17 +15,18 @@ public:
   explicit Welder(Surface_file& surface) : m_surface(surface) {}
 
   // Returns the index of the vertex. Appends it to the points of the surface if it is new. The
-  // coordinates must not be NaN, because NaN is not equal to itself.
+  // coordinates must not be NaN, because NaN is not equal to itself. O(1).
   std::uint32_t index(Point point);
 
 private:
-  struct Hash
-  {
-    std::size_t operator()(const Point& point) const;
-  };
+  // Returns the slot of a point, or the empty slot where it must be inserted.
+  std::size_t slot(const Point& point) const;
+  void grow();
 
   Surface_file& m_surface;
-  std::unordered_map<Point, std::uint32_t, Hash> m_index;
+  // A hash table with open addressing: indices of points. Its size is a power of two, and at least
+  // half of the slots are empty.
+  std::vector<std::uint32_t> m_slots;
 };
 
 } // namespace program
