@@ -5,6 +5,7 @@
 #include "readers/append_polygon.h"
 #include "readers/binary_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -204,6 +205,40 @@ public:
       x = value(property.type);
   }
 
+  // Returns the next bytes of a binary body and advances behind them.
+  std::string_view take(std::size_t size)
+  {
+    if(m_bytes.size() < size)
+      fail(m_name, "it ends unexpectedly");
+    const std::string_view result = m_bytes.substr(0, size);
+    m_bytes.remove_prefix(size);
+    return result;
+  }
+
+  // Appends the triangles that follow each other, at most max_count, if each is stored as a byte 3
+  // and three 32-bit indices in little-endian order. Returns their number.
+  std::size_t take_triangles(std::size_t max_count, bool is_signed, Surface_file& surface)
+  {
+    constexpr std::size_t size = 13;
+    std::size_t count = 0;
+    for(; count < max_count && m_bytes.size() >= size && m_bytes[0] == 3; ++count)
+    {
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        const auto index = static_cast<std::uint32_t>(bits_at(m_bytes.substr(1 + 4 * k), 4, false));
+        const bool is_negative = is_signed && index >> 31 != 0;
+        surface.corners.push_back(is_negative ? to_index(-1.) : index);
+      }
+      end_polygon(surface);
+      m_bytes.remove_prefix(size);
+    }
+    return count;
+  }
+
+  std::size_t size() const { return m_bytes.size(); }
+
+  Encoding encoding() const { return m_encoding; }
+
 private:
   double text_value()
   {
@@ -268,10 +303,79 @@ Vertex_properties prepare_vertices(const Element& element, const std::string& na
   return result;
 }
 
+// A column of numbers in a table of bytes, and its destination.
+struct Column
+{
+  std::size_t offset; // of the first number
+  Number_type type;
+  double* values;
+  std::size_t step; // between consecutive values
+};
+
+// Copies some rows of a column. The size of the numbers is a constant, for the compiler.
+//
+// row_size: bytes of a row
+template <std::size_t size>
+void copy_rows(std::string_view bytes, std::size_t row_size, bool big_endian, const Column& column,
+               std::size_t begin, std::size_t end)
+{
+  const Number_type type = {column.type.kind, size};
+  for(std::size_t i = begin; i < end; ++i)
+    column.values[i * column.step] =
+        to_value(bits_at(bytes.substr(i * row_size + column.offset, size), size, big_endian), type);
+}
+
+// Reads vertices in binary encoding without lists. Their rows have the same size.
+void read_rows(Body& body, const Element& element, const Vertex_properties& destination,
+               Surface_file& surface)
+{
+  std::vector<Column> columns;
+  std::size_t row_size = 0;
+  for(std::size_t p = 0; p < element.properties.size(); ++p)
+  {
+    const Number_type type = element.properties[p].type;
+    const int coordinate = destination.coordinate[p], component = destination.normal_component[p];
+    if(element.count > 0 && coordinate >= 0)
+      columns.push_back({row_size, type, &surface.points[0][std::size_t(coordinate)], 3});
+    else if(component >= 0 && !surface.normals.empty())
+      columns.push_back({row_size, type, &surface.normals[0][std::size_t(component)], 3});
+    else if(destination.values[p] != nullptr)
+      columns.push_back({row_size, type, destination.values[p], 1});
+    row_size += type.size;
+  }
+  const std::string_view bytes = body.take(element.count * row_size);
+  const bool big_endian = body.encoding() == Encoding::big_endian;
+  // A block of rows is in the cache while its columns are copied.
+  constexpr std::size_t block_size = 512;
+  for(std::size_t begin = 0; begin < element.count; begin += block_size)
+  {
+    const std::size_t end = std::min(element.count, begin + block_size);
+    for(const Column& column : columns)
+      switch(column.type.size)
+      {
+      case 1:
+        copy_rows<1>(bytes, row_size, big_endian, column, begin, end);
+        break;
+      case 2:
+        copy_rows<2>(bytes, row_size, big_endian, column, begin, end);
+        break;
+      case 4:
+        copy_rows<4>(bytes, row_size, big_endian, column, begin, end);
+        break;
+      default:
+        copy_rows<8>(bytes, row_size, big_endian, column, begin, end);
+      }
+  }
+}
+
 void read_vertices(Body& body, const Element& element, const std::string& name,
                    Surface_file& surface)
 {
   const Vertex_properties destination = prepare_vertices(element, name, surface);
+  const bool has_list = std::any_of(element.properties.begin(), element.properties.end(),
+                                    [](const Property& p) { return p.count.has_value(); });
+  if(body.encoding() != Encoding::ascii && !has_list)
+    return read_rows(body, element, destination, surface);
   std::vector<double> ignored;
   for(std::size_t i = 0; i < element.count; ++i)
     for(std::size_t p = 0; p < element.properties.size(); ++p)
@@ -313,11 +417,30 @@ void read_edges(Body& body, const Element& element, Surface_file& surface)
   }
 }
 
+bool is_corner_list(const Property& property)
+{
+  return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
 void read_others(Body& body, const Element& element, Surface_file& surface)
 {
   const bool is_face = element.name == "face", is_strip = element.name == "tristrips";
+  const Property& first = element.properties[0];
+  const bool has_triangles = is_face && element.properties.size() == 1 && is_corner_list(first) &&
+                             body.encoding() == Encoding::little_endian && first.count->size == 1 &&
+                             first.type.size == 4 && first.type.kind != 'f';
+  if(is_face)
+  {
+    surface.corners.reserve(std::min(3 * element.count, body.size()));
+    surface.polygon_begin.reserve(element.count + 1);
+  }
   std::vector<double> values;
   for(std::size_t i = 0; i < element.count; ++i)
+  {
+    if(has_triangles)
+      i += body.take_triangles(element.count - i, first.type.kind == 'i', surface);
+    if(i == element.count)
+      break;
     for(const Property& property : element.properties)
     {
       if(!property.count)
@@ -326,7 +449,7 @@ void read_others(Body& body, const Element& element, Surface_file& surface)
         continue;
       }
       body.list(property, values);
-      if(property.name != "vertex_indices" && property.name != "vertex_index")
+      if(!is_corner_list(property))
         continue;
       if(is_face)
       {
@@ -337,6 +460,7 @@ void read_others(Body& body, const Element& element, Surface_file& surface)
       else if(is_strip)
         append_strip(surface, values);
     }
+  }
 }
 
 } // namespace
