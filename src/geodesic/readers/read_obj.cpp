@@ -14,17 +14,21 @@ namespace program {
 
 namespace {
 
+constexpr std::size_t no_texture_index = std::numeric_limits<std::size_t>::max();
+
 // Returns the 0-based texture index of a corner "v/vt" or "v/vt/vn". Negative indices count from
-// the end of the coordinates read so far. Returns the maximum value if the corner has no valid
+// the end of the coordinates read so far. Returns no_texture_index if the corner has no valid
 // index.
 std::size_t texture_index(std::string_view word, std::size_t count)
 {
-  const std::size_t slash = std::min(word.find('/'), word.size() - 1);
+  const std::size_t slash = word.find('/');
+  if(slash == std::string_view::npos)
+    return no_texture_index;
   const std::string_view rest = word.substr(slash + 1);
   const long long index = to_integer(rest.substr(0, rest.find('/'))).value_or(0);
   const bool is_valid = index > 0 || index >= -static_cast<long long>(count);
   return index == 0 || !is_valid
-             ? std::numeric_limits<std::size_t>::max()
+             ? no_texture_index
              : static_cast<std::size_t>(index > 0 ? index - 1
                                                   : static_cast<long long>(count) + index);
 }
@@ -118,14 +122,17 @@ private:
     if(index == 0 || index < -count)
       m_scanner.fail("a face has the invalid vertex index " + std::to_string(index));
     append_corner(m_surface, static_cast<double>(index > 0 ? index - 1 : count + index));
+    if(!m_has_uv)
+      return;
     m_corner_texture_index.push_back(texture_index(word, m_texture_coordinates.size()));
+    m_has_uv = m_corner_texture_index.back() != no_texture_index;
   }
 
   // A vertex gets the texture coordinates of its first corner. If any corner has none, all are
   // discarded.
   void set_uv()
   {
-    if(m_corner_texture_index.empty() ||
+    if(!m_has_uv || m_corner_texture_index.empty() ||
        *std::max_element(m_corner_texture_index.begin(), m_corner_texture_index.end()) >=
            m_texture_coordinates.size())
       return;
@@ -138,7 +145,8 @@ private:
   Scanner m_scanner;
   Surface_file m_surface;
   std::vector<std::array<double, 2>> m_texture_coordinates; // in an image
-  std::vector<std::size_t> m_corner_texture_index; // #corners: index of these; the maximum: none
+  bool m_has_uv = true; // as long as all corners have texture coordinates
+  std::vector<std::size_t> m_corner_texture_index; // #corners, if they have: index of these
   std::vector<std::array<double, 3>> m_colors;
 };
 
