@@ -150,7 +150,8 @@ void compute_base(const Domain& domain, const Base_options& options, Job& job)
   {
     const auto vertex = vertex_at<Surface_type>(i);
     if constexpr(is_mesh<Surface_type>)
-      if(domain.outer(domain.inner_vertex(vertex)).first == Mesh::null_face()) // isolated
+      // Not public: The mesh of a soup, which knows isolated vertices, would be built for this.
+      if(domain.outer(domain.inner_vertex(vertex)).first == Mesh::null_face())
       {
         text += "-1 nan nan nan\n";
         continue;

@@ -250,6 +250,7 @@ std::string location_text([[maybe_unused]] const Domain& domain,
     std::string text;
     for(std::size_t k = 0; k < 3; ++k)
     {
+      // Not public: The mesh of a soup, which knows the corners, would be built for this.
       const auto vertex = domain.vertex(domain.triangles()->corner[first_corner + k]);
       text += std::to_string(std::size_t(vertex)) + ' ';
     }

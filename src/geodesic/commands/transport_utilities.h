@@ -120,6 +120,7 @@ auto vector_map(std::vector<Point>& vectors, const Domain& domain)
 {
   if constexpr(is_mesh<typename Domain::Surface>)
   {
+    // Not public: The mesh of a soup, which knows its size, would be built for this.
     vectors.resize(domain.triangles()->number_of_triangles());
     return Vector_map<Mesh::Face_index>{&vectors};
   }
