@@ -14,10 +14,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <list>
 #include <optional>
 #include <random>
+#include <thread>
+#include <vector>
 
 namespace soup_domain_test {
 
@@ -49,6 +52,61 @@ std::vector<double> distances(const Surface& surface, std::size_t number_of_poin
   GP::geodesic_distances<Method>(surface, Vertex(Mesh::size_type(source)),
                                  CGAL::make_property_map(result));
   return result;
+}
+
+// Checks that the faces and points of a domain are those of its mesh.
+void expect_faces_of_mesh(const GP::Soup_domain<Point_3>& domain,
+                          const std::vector<Point_3>& points)
+{
+  std::vector<std::array<std::size_t, 3>> corners; // read before the mesh is built
+  for(std::size_t f = 0; f < domain.number_of_faces(); ++f)
+    corners.push_back(domain.corners(Mesh::Face_index(Mesh::size_type(f))));
+  const Mesh& mesh = domain.mesh();
+  ASSERT_EQ(mesh.number_of_faces(), corners.size());
+  ASSERT_EQ(mesh.number_of_vertices(), points.size());
+  for(const Mesh::Face_index face : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(face);
+    const std::array<std::size_t, 3> expected = {mesh.source(h), mesh.target(h),
+                                                 mesh.target(mesh.next(h))};
+    EXPECT_EQ(corners[face], expected);
+  }
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    EXPECT_EQ(mesh.point(v), points[v]);
+}
+
+TEST(Soup_domain, corners_are_those_of_mesh_built_later)
+{
+  Soup soup = soup_of(jittered(icosphere(2), 0.05));
+  expect_faces_of_mesh(GP::make_domain(soup.points, soup.polygons), soup.points);
+  // A reversed triangle, and one whose corners are copies of its points.
+  std::swap(soup.polygons[5][0], soup.polygons[5][1]);
+  for(std::size_t& corner : soup.polygons[9])
+  {
+    soup.points.push_back(soup.points[corner]);
+    corner = soup.points.size() - 1;
+  }
+  expect_faces_of_mesh(GP::make_domain(soup.points, soup.polygons), soup.points);
+  const auto merged =
+      GP::make_domain(soup.points, soup.polygons, GP::parameters::merge_tolerance(0.));
+  EXPECT_EQ(merged.report().number_of_merged_points, 3u);
+  EXPECT_EQ(merged.report().number_of_reversed_triangles, 1u);
+  expect_faces_of_mesh(merged, soup.points);
+}
+
+TEST(Soup_domain, builds_one_mesh_for_all_threads_and_copies)
+{
+  const Soup soup = soup_of(icosphere(3));
+  const auto domain = GP::make_domain(soup.points, soup.polygons);
+  std::vector<const Mesh*> meshes(4, nullptr);
+  std::vector<std::thread> threads;
+  for(const Mesh*& mesh : meshes)
+    threads.emplace_back([&mesh, copy = domain] { mesh = &copy.mesh(); });
+  for(std::thread& thread : threads)
+    thread.join();
+  for(const Mesh* mesh : meshes)
+    EXPECT_EQ(mesh, &domain.mesh());
+  EXPECT_EQ(domain.mesh().number_of_faces(), soup.polygons.size());
 }
 
 TEST(Soup_domain, of_clean_soup_has_results_of_mesh)

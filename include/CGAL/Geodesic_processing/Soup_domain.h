@@ -249,7 +249,7 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 ///         have more than 2<SUP>31</SUP> halfedges
 ///
 /// O(n) for n points of bounded degree, and O(k<SUP>2</SUP>) for a polygon of k corners. The domain
-/// takes about 230 bytes per point, and its mesh, if a function needs it, about 170 more.
+/// takes about 205 bytes per point, and its mesh, if a function needs it, about 110 more.
 template <typename Concurrency_tag = Sequential_tag, typename PointRange, typename PolygonRange,
           typename NamedParameters = internal::Default_parameters,
           std::enable_if_t<!internal::is_named_parameters<PolygonRange>, int> = 0>
