@@ -23,6 +23,7 @@ TEST(Exceptions, are_runtime_errors_with_message)
     EXPECT_EQ(std::string(error.what()), "There is no source.");
   }
   EXPECT_THROW(throw Unsupported_surface_error("A face is not a triangle."), std::runtime_error);
+  EXPECT_THROW(throw File_error("matrix.npy: it cannot be written."), std::runtime_error);
   EXPECT_FALSE((std::is_base_of_v<Invalid_argument_error, Unsupported_surface_error>));
 }
 

@@ -28,6 +28,14 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// Thrown if a file cannot be read or written, or if its content is not what the function needs. The
+/// message begins with the name of the file. It is derived from `std::runtime_error`.
+class File_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Thrown by each function whose named parameter `callback` returns false.
 ///
 /// Property maps, output iterators and graphs that the function would have written are unchanged.
