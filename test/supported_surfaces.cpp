@@ -78,6 +78,7 @@ CALL(Geodesic_distance_solver, GP::Geodesic_distance_solver<Plain> solver(surfac
      solver.compute(vertices); solver.distance(location))
 CALL(geodesic_distance_matrix, GP::geodesic_distance_matrix(surface, vertices))
 CALL(sparse_geodesic_distance_matrix, GP::sparse_geodesic_distance_matrix(surface, vertices, 1.))
+CALL(write_geodesic_distance_matrix, GP::write_geodesic_distance_matrix(surface, vertices, ""))
 CALL(isolines, std::vector<GP::Isoline<Plain>> lines;
      GP::isolines(surface, T::template map<double>(), std::vector<double>(),
                   std::back_inserter(lines)))

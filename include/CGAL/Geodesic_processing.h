@@ -70,5 +70,6 @@
 #include <CGAL/Geodesic_processing/transport_streamlines.h>
 #include <CGAL/Geodesic_processing/transport_to_region.h>
 #include <CGAL/Geodesic_processing/volumetric_distance.h>
+#include <CGAL/Geodesic_processing/write_geodesic_distance_matrix.h>
 
 #endif // CGAL_GEODESIC_PROCESSING_H

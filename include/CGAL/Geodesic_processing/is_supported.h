@@ -17,6 +17,7 @@
   BOTH(Geodesic_distance_solver)                                                                   \
   BOTH(geodesic_distance_matrix)                                                                   \
   BOTH(sparse_geodesic_distance_matrix)                                                            \
+  BOTH(write_geodesic_distance_matrix)                                                             \
   MESHES(isolines, "The triangles of a cloud overlap: lines on them cross.")                       \
   BOTH(geodesic_path)                                                                              \
   BOTH(Geodesic_path_finder)                                                                       \

@@ -15,6 +15,10 @@ namespace CGAL::Geodesic_processing {
 #define CGAL_GEODESIC_PROCESSING_OWN_NAMES(NAME)                                                   \
   NAME(maximum_distance)                                                                           \
   NAME(targets)                                                                                    \
+  NAME(row_range)                                                                                  \
+  NAME(region_map)                                                                                 \
+  NAME(do_average_regions)                                                                         \
+  NAME(tile_size)                                                                                  \
   NAME(speed_map)                                                                                  \
   NAME(face_speed_map)                                                                             \
   NAME(relative_tolerance)                                                                         \

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_WRITE_GEODESIC_DISTANCE_MATRIX_H
+#define CGAL_GEODESIC_PROCESSING_WRITE_GEODESIC_DISTANCE_MATRIX_H
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
+#include <CGAL/Geodesic_processing/internal/distances/Matrix_file.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+// Reads the regions of the targets.
+template <typename Domain, typename Targets, typename RegionMap>
+Column_regions column_regions(const Domain& domain, const Targets& targets, const RegionMap& map)
+{
+  static_assert(is_keyed_by<RegionMap, typename Domain::Vertex>,
+                "region_map is a property map with vertices or surfels as keys.");
+  Column_regions result;
+  for(const auto& target : targets)
+  {
+    const typename Domain::Vertex vertex(target);
+    domain.inner_vertex(vertex); // throws if it does not belong to the surface
+    const auto region = static_cast<std::size_t>(get(map, vertex)); // negative becomes large
+    result.region.push_back(region < none ? static_cast<Index>(region) : none);
+    if(result.region.back() != none)
+      result.number_of_regions = std::max(result.number_of_regions, region + 1);
+  }
+  return result;
+}
+
+// Computes write_geodesic_distance_matrix() by a method that is selected at run time.
+template <typename Concurrency_tag, typename Number, typename Domain, typename Sources,
+          typename NamedParameters>
+void write_distances_of_pairs(const Domain& domain, Distance_method method,
+                              const Sources& from_sources, const std::string& path,
+                              const NamedParameters& np)
+{
+  std::vector<std::size_t> labels;
+  const auto from = sources(domain, from_sources, labels);
+  Front_limits asked = limits(domain, np);
+  asked.callback = read_throwing_callback(np);
+  if constexpr(!has_parameter<NamedParameters, internal_np::targets_t>)
+    asked.targets = locations(domain, from_sources);
+  const std::vector<Surface_location> to = asked.targets;
+  // If there are as many targets as vertices, stopping at the targets does not save time.
+  if(to.size() >= domain.number_of_vertices())
+    asked.targets.clear();
+
+  const std::pair<std::size_t, std::size_t> range =
+      parameter(np, internal_np::row_range, std::pair<std::size_t, std::size_t>(0, from.size()));
+  if(range.first > range.second || range.second > from.size())
+    throw Invalid_argument_error("row_range is not a range of the sources.");
+  Matrix_job job{from, to, range.first, {}};
+  if constexpr(has_parameter<NamedParameters, internal_np::region_map_t>)
+  {
+    const auto map = parameter(np, internal_np::region_map, 0);
+    if constexpr(has_parameter<NamedParameters, internal_np::targets_t>)
+      job.regions = column_regions(domain, parameter(np, internal_np::targets, 0), map);
+    else
+      job.regions = column_regions(domain, from_sources, map);
+    job.regions->do_average = parameter(np, internal_np::do_average_regions, false);
+  }
+  const Matrix_layout layout = {
+      range.second - range.first, job.regions ? job.regions->number_of_regions : to.size(),
+      std::is_same_v<Number, float> ? Number_format::float32 : Number_format::float64};
+  const auto heat_time_step = read_heat_time_step(np);
+  Distance_engine engine(method, domain.triangles(), heat_time_step);
+  engine.select(asked);
+  constexpr std::size_t default_tile_size = std::size_t(1) << 26;
+  Matrix_file file(path, layout, parameter(np, internal_np::tile_size, default_tile_size),
+                   matrix_key(*domain.triangles(), method, heat_time_step, job, asked, layout));
+  write_distance_matrix(engine.row_engine(), domain.triangles()->scale, job, asked,
+                        number_of_threads<Concurrency_tag>(np), file);
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingDistances
+///
+/// Writes the matrix of geodesic distances from each source to each target to a file, for matrices
+/// that do not fit in memory. The entries are those of `geodesic_distance_matrix()`.
+///
+/// The file has the format `.npy` of NumPy, version 1.0, in row-major order, and can be opened by
+/// `numpy.load(path, mmap_mode='r')`. It is created in its final size and written in tiles of
+/// consecutive rows. A tile is synchronized with the disk before the text file `path` + `.tiles`
+/// records it. If the computation is interrupted, even by `kill -9`, the same call continues after
+/// the recorded tiles, and the result is the same to the last bit. The record is removed at the
+/// end. A file without a record is replaced.
+///
+/// Parts of the matrix can be computed on several machines: each call has another `row_range` and
+/// `path`. `merge_distance_matrices()` joins the parts.
+///
+/// \tparam Method as for `geodesic_distances()`
+/// \tparam Concurrency_tag as for `geodesic_distance_matrix()`
+/// \tparam Number `double` (the default) or `float`, to which entries are rounded
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Sources as for `geodesic_distance_matrix()`
+/// \param surface the surface, as for `geodesic_distances()`
+/// \param sources as for `geodesic_distance_matrix()`
+/// \param path the file
+/// \param np the named parameters of `geodesic_distance_matrix()`, and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{row_range}
+///     \cgalParamDescription{the rows that are written: the positions of the first source and past
+///       the last source}
+///     \cgalParamType{`std::pair<std::size_t, std::size_t>`}
+///     \cgalParamDefault{all rows}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{region_map}
+///     \cgalParamDescription{the region of each target, counted from 0. The matrix then has one
+///       column per region: the minimum of the distances to its targets. A negative region means
+///       that the target is in none. A region without targets has infinite distances.}
+///     \cgalParamType{a model of `ReadablePropertyMap` with vertices or surfels as keys and integers
+///       as values. The targets must then be a range of vertices or surfels.}
+///     \cgalParamDefault{Each target has a column.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{do_average_regions}
+///     \cgalParamDescription{whether the column of a region is the mean of the distances instead of
+///       the minimum. It is infinite if a target of the region is not reached.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tile_size}
+///     \cgalParamDescription{the number of bytes of a tile, which has at least one row}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{2<SUP>26</SUP>}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throws as `geodesic_distance_matrix()`
+/// \throws Invalid_argument_error if `row_range` is not a range of the sources
+/// \throws File_error if the file cannot be written, if the disk has too little space, or if the
+///         record belongs to another surface or other arguments
+///
+/// Takes one distance computation for each source. Uses memory for one tile and, per thread, for
+/// one solver. If the callback cancels, finished tiles remain, and the next call continues.
+template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag,
+          typename Number = double, typename Surface, typename Sources,
+          typename NamedParameters = internal::Default_parameters>
+void write_geodesic_distance_matrix(const Surface& surface, const Sources& sources,
+                                    const std::string& path,
+                                    const NamedParameters& np = NamedParameters())
+{
+  static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float>,
+                "The numbers of a matrix are of type double or float.");
+  internal::write_distances_of_pairs<Concurrency_tag, Number>(
+      make_domain(surface, np), internal::distance_method<Method>(), sources, path, np);
+}
+
+/// \ingroup PkgGeodesicProcessingDistances
+///
+/// Joins parts of a matrix that `write_geodesic_distance_matrix()` has written for several ranges of
+/// rows. The rows of the result are those of the first part, then those of the second, and so on.
+///
+/// \tparam Paths a range of `std::string`
+/// \param paths the complete parts, which have the same columns and the same type of numbers
+/// \param merged the file of the result, which is none of the parts
+/// \throws File_error if a part is not complete, is no matrix of this package or differs from the
+///         first one in its columns or numbers, or if a file cannot be read or written
+///
+/// Takes linear time, and memory for one block of 1 MB.
+template <typename Paths>
+void merge_distance_matrices(const Paths& paths, const std::string& merged)
+{
+  internal::merge_matrix_files(std::vector<std::string>(std::begin(paths), std::end(paths)),
+                               merged);
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_WRITE_GEODESIC_DISTANCE_MATRIX_H

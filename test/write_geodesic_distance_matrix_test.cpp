@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/write_geodesic_distance_matrix.h>
+
+#include <CGAL/Geodesic_processing/Soup_domain.h>
+
+#include <CGAL/Polyhedron_3.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace write_geodesic_distance_matrix_test {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Write_geodesic_distance_matrix : testing::Test
+{
+  std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                 (std::string("write_matrix_") +
+                                  testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::string path = (folder / "m.npy").string(), record = path + ".tiles";
+  Triangulation plane = square(8, 0.24);
+  Mesh mesh = mesh_of(plane);
+  std::vector<Vertex> vertices{mesh.vertices().begin(), mesh.vertices().end()};
+
+  Write_geodesic_distance_matrix()
+  {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+  }
+  ~Write_geodesic_distance_matrix() override { std::filesystem::remove_all(folder); }
+
+  std::string bytes(const std::string& file) const
+  {
+    std::ostringstream result;
+    result << std::ifstream(file, std::ios::binary).rdbuf();
+    return result.str();
+  }
+  // Reads the numbers behind the header.
+  template <typename Number = double>
+  Eigen::MatrixXd matrix(Eigen::Index rows, Eigen::Index columns) const
+  {
+    const std::string content = bytes(path);
+    const std::size_t size = std::size_t(rows * columns) * sizeof(Number);
+    Eigen::MatrixXd result(rows, columns);
+    EXPECT_GE(content.size(), size);
+    EXPECT_EQ((content.size() - size) % 64, 0u);
+    for(Eigen::Index i = 0; i < rows; ++i)
+      for(Eigen::Index j = 0; j < columns; ++j)
+      {
+        Number number;
+        std::memcpy(&number,
+                    content.data() + content.size() - size +
+                        std::size_t(i * columns + j) * sizeof(Number),
+                    sizeof(Number));
+        result(i, j) = number;
+      }
+    return result;
+  }
+
+  template <typename Method, typename Surface, typename Vertices>
+  void expect_same_as_in_memory(const Surface& surface, const Vertices& queries)
+  {
+    const Eigen::MatrixXd expected = GP::geodesic_distance_matrix<Method>(surface, queries);
+    const auto small = GP::parameters::tile_size(1000);
+    GP::write_geodesic_distance_matrix<Method>(surface, queries, path, small);
+    EXPECT_EQ(matrix(expected.rows(), expected.cols()), expected);
+    GP::write_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(surface, queries, path,
+                                                                   small.number_of_threads(3));
+    EXPECT_EQ(matrix(expected.rows(), expected.cols()), expected);
+    GP::write_geodesic_distance_matrix<Method, CGAL::Sequential_tag, float>(surface, queries, path);
+    EXPECT_EQ(matrix<float>(expected.rows(), expected.cols()),
+              expected.cast<float>().cast<double>());
+    EXPECT_FALSE(std::filesystem::exists(record));
+  }
+};
+
+TEST_F(Write_geodesic_distance_matrix, equals_matrix_in_memory)
+{
+  expect_same_as_in_memory<GP::Automatic>(mesh, vertices);
+  expect_same_as_in_memory<GP::Dijkstra>(mesh, vertices);
+
+  Numbered<CGAL::Polyhedron_3<Kernel>> polyhedron;
+  fill(polyhedron, plane);
+  expect_same_as_in_memory<GP::Fast_marching>(polyhedron.mesh, polyhedron.vertices);
+
+  const Surfels surfels = sphere_surfels(2);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  expect_same_as_in_memory<GP::Automatic>(GP::make_domain(surfels, maps),
+                                          std::vector<std::size_t>{4, 100, 0, 77});
+
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  for(const Point& p : plane.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  for(std::size_t i = 0; i < plane.corners.size(); i += 3)
+    polygons.push_back({plane.corners[i], plane.corners[i + 1], plane.corners[i + 2]});
+  expect_same_as_in_memory<GP::Euclidean_front>(GP::make_domain(points, polygons), vertices);
+}
+
+TEST_F(Write_geodesic_distance_matrix, contains_distances_in_plane)
+{
+  GP::write_geodesic_distance_matrix<GP::Exact>(mesh, vertices, path,
+                                                GP::parameters::maximum_distance(0.5));
+  const auto n = Eigen::Index(vertices.size());
+  const Eigen::MatrixXd d = matrix(n, n);
+  for(Eigen::Index i = 0; i < n; ++i)
+    for(Eigen::Index j = 0; j < n; ++j)
+    {
+      const double truth = distance(plane.points[i], plane.points[j]);
+      if(truth <= 0.5)
+        EXPECT_NEAR(d(i, j), truth, 1e-12); // sums of some tens of lengths
+      else
+        EXPECT_EQ(d(i, j), infinity);
+    }
+}
+
+TEST_F(Write_geodesic_distance_matrix, joins_columns_of_regions)
+{
+  // Every fifth vertex is in no region, and region 3 has no vertex.
+  std::vector<int> region;
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    region.push_back(i % 5 == 0 ? -1 : i % 5 == 3 ? 4 : int(i % 5));
+  const auto map = GP::parameters::region_map(CGAL::make_property_map(region));
+  const Eigen::MatrixXd d = GP::geodesic_distance_matrix<GP::Exact>(mesh, vertices);
+  GP::write_geodesic_distance_matrix<GP::Exact>(mesh, vertices, path, map);
+  const Eigen::MatrixXd minimum = matrix(d.rows(), 5);
+  GP::write_geodesic_distance_matrix<GP::Exact>(mesh, vertices, path, map.do_average_regions(true));
+  const Eigen::MatrixXd mean = matrix(d.rows(), 5);
+  for(Eigen::Index i = 0; i < d.rows(); ++i)
+    for(int r = 0; r < 5; ++r)
+    {
+      double smallest = infinity, sum = 0.;
+      int count = 0;
+      for(Eigen::Index j = 0; j < d.cols(); ++j)
+        if(region[std::size_t(j)] == r)
+        {
+          smallest = std::min(smallest, d(i, j));
+          sum += d(i, j);
+          ++count;
+        }
+      EXPECT_EQ(minimum(i, r), smallest);
+      EXPECT_EQ(mean(i, r), count == 0 ? infinity : sum / count);
+    }
+
+  // Targets that are not reached make the mean infinite, but not the minimum.
+  GP::write_geodesic_distance_matrix<GP::Exact>(
+      mesh, std::vector<Vertex>{vertices[1]}, path,
+      map.targets(vertices).maximum_distance(0.1).do_average_regions(true));
+  EXPECT_EQ(matrix(1, 5)(0, 1), infinity);
+  GP::write_geodesic_distance_matrix<GP::Exact>(mesh, std::vector<Vertex>{vertices[1]}, path,
+                                                map.targets(vertices).maximum_distance(0.1));
+  EXPECT_EQ(matrix(1, 5)(0, 1), 0.);
+}
+
+// The process is killed in the middle, and the next call continues.
+TEST_F(Write_geodesic_distance_matrix, continues_after_kill)
+{
+  const auto four_rows = GP::parameters::tile_size(4 * 8 * vertices.size());
+  GP::write_geodesic_distance_matrix<GP::Fast_marching>(mesh, vertices, path + ".expected",
+                                                        four_rows);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if(child == 0)
+  {
+    const auto kill_in_the_middle = [](double fraction)
+    {
+      if(fraction > 0.6)
+        kill(getpid(), SIGKILL);
+      return true;
+    };
+    GP::write_geodesic_distance_matrix<GP::Fast_marching>(
+        mesh, vertices, path, four_rows.callback(std::function<bool(double)>(kill_in_the_middle)));
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGKILL);
+  ASSERT_TRUE(std::filesystem::exists(record));
+  EXPECT_NE(bytes(path), bytes(path + ".expected"));
+
+  // Other arguments do not continue it.
+  EXPECT_THROW(GP::write_geodesic_distance_matrix<GP::Dijkstra>(mesh, vertices, path, four_rows),
+               GP::File_error);
+  EXPECT_THROW((GP::write_geodesic_distance_matrix<GP::Fast_marching, CGAL::Sequential_tag, float>(
+                   mesh, vertices, path, four_rows)),
+               GP::File_error);
+
+  double first_fraction = 2.;
+  const std::function<bool(double)> callback = [&](double fraction)
+  {
+    first_fraction = std::min(first_fraction, fraction);
+    return true;
+  };
+  GP::write_geodesic_distance_matrix<GP::Fast_marching, CGAL::Parallel_tag>(
+      mesh, vertices, path, four_rows.callback(callback).number_of_threads(2));
+  EXPECT_GT(first_fraction, 0.5);
+  EXPECT_EQ(bytes(path), bytes(path + ".expected"));
+  EXPECT_FALSE(std::filesystem::exists(record));
+}
+
+TEST_F(Write_geodesic_distance_matrix, continues_after_cancellation)
+{
+  const auto small = GP::parameters::tile_size(1);
+  GP::write_geodesic_distance_matrix<GP::Dijkstra>(mesh, vertices, path + ".expected", small);
+  const std::function<bool(double)> cancel = [](double fraction) { return fraction < 0.5; };
+  EXPECT_THROW(GP::write_geodesic_distance_matrix<GP::Dijkstra>(mesh, vertices, path,
+                                                                small.callback(cancel)),
+               GP::Cancelled);
+  EXPECT_TRUE(std::filesystem::exists(record));
+  GP::write_geodesic_distance_matrix<GP::Dijkstra>(mesh, vertices, path, small);
+  EXPECT_EQ(bytes(path), bytes(path + ".expected"));
+}
+
+TEST_F(Write_geodesic_distance_matrix, parts_are_merged)
+{
+  GP::write_geodesic_distance_matrix(mesh, vertices, path + ".expected");
+  std::vector<std::string> parts;
+  const std::size_t n = vertices.size();
+  for(const std::pair<std::size_t, std::size_t>& rows :
+      {std::pair(std::size_t(0), n / 3), std::pair(n / 3, n - 1), std::pair(n - 1, n)})
+  {
+    parts.push_back(path + std::to_string(parts.size()));
+    GP::write_geodesic_distance_matrix(mesh, vertices, parts.back(),
+                                       GP::parameters::row_range(rows));
+  }
+  GP::merge_distance_matrices(parts, path);
+  EXPECT_EQ(bytes(path), bytes(path + ".expected"));
+  EXPECT_THROW(GP::write_geodesic_distance_matrix(
+                   mesh, vertices, path,
+                   GP::parameters::row_range(std::pair<std::size_t, std::size_t>(2, n + 1))),
+               GP::Invalid_argument_error);
+}
+
+} // namespace write_geodesic_distance_matrix_test
