@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 #include <sstream>
 #include <string>
@@ -174,6 +175,74 @@ TEST_F(Program, matrix_has_all_pairs)
       }
     EXPECT_TRUE(market);
   }
+}
+
+// Returns the numbers of a .npy file; its header must have the given shape.
+std::vector<double> numpy_numbers(const std::string& bytes, const std::string& shape,
+                                  bool is_single = false)
+{
+  EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\0", 8));
+  EXPECT_NE(bytes.find("'shape': " + shape + ","), std::string::npos);
+  const std::size_t begin = bytes.find('\n') + 1, size = is_single ? 4 : 8;
+  std::vector<double> result;
+  for(std::size_t i = begin; i + size <= bytes.size(); i += size)
+  {
+    float single = 0.f;
+    double number = 0.;
+    std::memcpy(is_single ? static_cast<void*>(&single) : &number, bytes.data() + i, size);
+    result.push_back(is_single ? single : number);
+  }
+  return result;
+}
+
+TEST_F(Program, matrix_of_all_vertices_is_file_of_numpy)
+{
+  const nlohmann::json result = json("matrix square.ply --method exact -o m.npy");
+  EXPECT_EQ(result["rows"], 81);
+  EXPECT_EQ(result["columns"], 81);
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "m.npy.tiles"));
+  const std::vector<double> d = numpy_numbers(read_file(m_folder / "m.npy"), "(81, 81)");
+  ASSERT_EQ(d.size(), 81u * 81u);
+  // Same tolerance as in distance_on_a_square_is_euclidean.
+  for(int p = 0; p < 81; ++p)
+    for(int q = 0; q < 81; ++q)
+      EXPECT_NEAR(d[std::size_t(81 * p + q)], std::hypot(p % 9 - q % 9, p / 9 - q / 9) / 8., 1e-12);
+
+  // Parts of the rows, in single precision, are merged.
+  json("matrix square.ply --method exact --float32 --rows 0:30 -o a.npy");
+  json("matrix square.ply --method exact --float32 --rows 30:81 -o b.npy");
+  EXPECT_EQ(run("merge-matrices a.npy b.npy -o c.npy").code, 0);
+  const std::vector<double> single = numpy_numbers(read_file(m_folder / "c.npy"), "(81, 81)", true);
+  ASSERT_EQ(single.size(), d.size());
+  for(std::size_t i = 0; i < d.size(); ++i)
+    EXPECT_EQ(single[i], double(float(d[i])));
+}
+
+TEST_F(Program, matrix_joins_columns_of_regions)
+{
+  // The region of a vertex is its column in the square; column 8 is in none.
+  std::string regions;
+  for(int i = 0; i < 81; ++i)
+    regions += std::to_string(i % 9 == 8 ? -1 : i % 9) + '\n';
+  std::ofstream(m_folder / "regions.txt") << regions;
+  EXPECT_EQ(json("matrix square.ply --method exact --sources 0,40 --regions regions.txt -o m.npy")
+                ["columns"],
+            8);
+  const std::vector<double> nearest = numpy_numbers(read_file(m_folder / "m.npy"), "(2, 8)");
+  json("matrix square.ply --method exact --sources 0,40 --regions regions.txt --average -o m.npy");
+  const std::vector<double> mean = numpy_numbers(read_file(m_folder / "m.npy"), "(2, 8)");
+  ASSERT_EQ(mean.size(), 16u);
+  ASSERT_EQ(nearest.size(), 16u);
+  for(int row = 0; row < 2; ++row)
+    for(int column = 0; column < 8; ++column)
+    {
+      const int x = row == 0 ? 0 : 4, y = row == 0 ? 0 : 4;
+      double sum = 0.;
+      for(int k = 0; k < 9; ++k)
+        sum += std::hypot(x - column, y - k) / 8.;
+      EXPECT_NEAR(nearest[std::size_t(8 * row + column)], std::abs(x - column) / 8., 1e-12);
+      EXPECT_NEAR(mean[std::size_t(8 * row + column)], sum / 9., 1e-12);
+    }
 }
 
 TEST_F(Program, matrix_limit_keeps_near_pairs)

@@ -90,6 +90,14 @@ TEST_F(Program, exits_with_1_on_wrong_usage_of_sampling)
   expect_failure("matrix square.ply --number 2 --method biharmonic --limit 1", 1,
                  "not support --limit");
   expect_failure("matrix square.ply --number 2 -o a.ply", 1, ".mtx");
+  expect_failure("matrix square.ply --number 2 --float32 -o a.mtx", 1, "need a .npy file");
+  expect_failure("matrix square.ply --average -o a.npy", 1, "needs --regions");
+  expect_failure("matrix square.ply --rows 3 -o a.npy", 1, "is not a range");
+  expect_failure("matrix square.ply --rows 3:82 -o a.npy", 1, "has only 81 rows");
+  expect_failure("matrix square.ply --values a.txt -o a.npy", 1, "cannot be combined");
+  expect_failure("matrix square.ply --method spectral -o a.npy", 1, "does not support .npy");
+  expect_failure("matrix square.ply --regions none.txt -o a.npy", 2, "none.txt");
+  expect_failure("merge-matrices square.ply -o a.npy", 3, "it is not a .npy file");
 }
 
 TEST_F(Program, exits_with_1_on_wrong_usage_of_remeshing)

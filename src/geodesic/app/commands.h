@@ -20,6 +20,7 @@ void add_decal(CLI::App& program);
 void add_flatten(CLI::App& program);
 void add_atlas(CLI::App& program);
 void add_matrix(CLI::App& program);
+void add_merge_matrices(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_voronoi(CLI::App& program);
 void add_segment(CLI::App& program);

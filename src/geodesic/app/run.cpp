@@ -49,6 +49,7 @@ constexpr Named_command commands[] = {
     {"flatten", add_flatten},
     {"atlas", add_atlas},
     {"matrix", add_matrix},
+    {"merge-matrices", add_merge_matrices},
     {"sample", add_sample},
     {"voronoi", add_voronoi},
     {"segment", add_segment},

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "io/errors.h"
 #include "commands/command_utilities.h"
+#include "commands/matrix_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,14 +21,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Matrix_options
 {
-  std::string sources; // "V,V,..."
-  std::optional<std::size_t> number;
+  Row_selection rows;
+  Matrix_file_options file;
   std::string method = "automatic";
   std::optional<std::size_t> basis_size;
   double max_distance = infinity;
 
   bool is_sparse() const { return max_distance < infinity; }
-  bool has_all_vertices() const { return sources.empty() && !number; }
 };
 
 using Sparse_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -52,7 +52,7 @@ std::vector<double> picture_values(const Domain& domain,
                                    const Matrix_options& options, const Job& job)
 {
   std::vector<double> values(job.surface().file.points.size());
-  if(options.has_all_vertices())
+  if(options.rows.has_all_vertices())
   {
     for(std::size_t i = 0; i < values.size(); ++i)
       values[i] = static_cast<double>(result.sparse.outerIndexPtr()[i + 1] -
@@ -74,10 +74,10 @@ Matrix_result compute_matrix(const Domain& domain, const Matrix_options& options
   using Surface_type = typename Domain::Surface;
   job.begin_stage("query");
   Matrix_result result;
-  if(!options.sources.empty())
-    result.vertices = parse_indices(options.sources, "--sources");
-  else if(options.number)
-    result.vertices = farthest_vertices(domain, *options.number, job);
+  if(!options.rows.sources.empty())
+    result.vertices = parse_indices(options.rows.sources, "--sources");
+  else if(options.rows.number)
+    result.vertices = farthest_vertices(domain, *options.rows.number, job);
   else
   {
     result.vertices.resize(job.surface().file.points.size());
@@ -168,19 +168,26 @@ std::string to_matrix_market(const Matrix_result& result, bool is_sparse)
 }
 
 // Throws Usage_error if the options are inconsistent.
-void check(const Matrix_options& options)
+void check(const Matrix_options& options, bool has_numpy_output)
 {
-  if(!options.sources.empty() && options.number)
+  if(!options.rows.sources.empty() && options.rows.number)
     throw Usage_error("matrix: --sources and --number cannot be combined.");
-  if(options.number && *options.number == 0)
+  if(options.rows.number && *options.rows.number == 0)
     throw Usage_error("--number: the matrix must have at least one row.");
   if(!(options.max_distance >= 0.))
     throw Usage_error("--limit: the distance must not be negative.");
-  if(options.has_all_vertices() && !options.is_sparse())
-    throw Usage_error("matrix: --limit is required if neither --sources nor --number is given.");
-  if(!options.sources.empty())
+  if(options.rows.has_all_vertices() && !options.is_sparse() && !has_numpy_output)
+    throw Usage_error("matrix: --limit or a .npy file as output is required if neither --sources "
+                      "nor --number is given.");
+  if(has_numpy_output && is_metric(options.method))
+    throw Usage_error("--method " + options.method + ": this method does not support .npy files.");
+  if(options.file.is_given() && !has_numpy_output)
+    throw Usage_error(
+        "matrix: --float32, --rows, --regions and --average need a .npy file as output.");
+  check(options.file);
+  if(!options.rows.sources.empty())
   {
-    std::vector<std::size_t> vertices = parse_indices(options.sources, "--sources");
+    std::vector<std::size_t> vertices = parse_indices(options.rows.sources, "--sources");
     std::sort(vertices.begin(), vertices.end());
     const auto duplicate = std::adjacent_find(vertices.begin(), vertices.end());
     if(duplicate != vertices.end())
@@ -194,21 +201,29 @@ void check(const Matrix_options& options)
 
 void run_matrix(Job& job, const Matrix_options& options)
 {
-  check(options);
-  const Surface& surface = job.read({"mtx"});
+  const bool has_numpy_output = file_extension(job.output()) == "npy";
+  check(options, has_numpy_output);
+  if(has_numpy_output && !(job.values().empty() && job.picture().empty()))
+    throw Usage_error("matrix: --values and --picture cannot be combined with a .npy file.");
+  const Surface& surface = job.read({"mtx", "npy"});
   if(!is_metric(options.method))
     check_method(options.method, surface);
-  if(!options.sources.empty())
-    for(const std::size_t vertex : parse_indices(options.sources, "--sources"))
+  if(!options.rows.sources.empty())
+    for(const std::size_t vertex : parse_indices(options.rows.sources, "--sources"))
       check_vertex(surface, vertex);
 
   job.begin_stage("prepare");
+  if(has_numpy_output)
+  {
+    write_matrix_file(job, options.file, options.method, options.max_distance, options.rows);
+    return job.finish();
+  }
   Matrix_result result;
   visit_domain(job, [&](const auto& domain) { result = compute_matrix(domain, options, job); });
   const std::size_t rows = result.vertices.size();
   job.result()["rows"] = rows;
   job.result()["entries"] = result.entries;
-  if(!options.has_all_vertices())
+  if(!options.rows.has_all_vertices())
     job.result()["sources"] = result.vertices;
   job.print_line("rows            " + std::to_string(rows));
   job.print_line("entries         " + std::to_string(result.entries));
@@ -218,8 +233,8 @@ void run_matrix(Job& job, const Matrix_options& options)
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, result.values, "", {}, {}, {}, result.triangles};
-    picture.title = options.has_all_vertices() ? "near vertices" : "distance";
-    if(!options.has_all_vertices())
+    picture.title = options.rows.has_all_vertices() ? "near vertices" : "distance";
+    if(!options.rows.has_all_vertices())
       for(const std::size_t vertex : result.vertices)
         picture.markers.push_back(surface.file.points[vertex]);
     draw(job.picture(), picture);
@@ -237,7 +252,10 @@ void add_matrix(CLI::App& program)
                   "compute the distances between all pairs of vertices, or between near pairs");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Matrix_options>();
-  command.describe("--output", "write the matrix in Matrix Market format: .mtx");
+  command.describe("--output",
+                   "write the matrix in Matrix Market format: .mtx, or as an array of NumPy: .npy. "
+                   "A .npy file is written in tiles and need not fit in memory; if the command is "
+                   "interrupted, the same command continues");
   command.describe(
       "--values", "write the matrix as text: one row per line; a sparse matrix has row, column and "
                   "distance of one entry per line");
@@ -245,8 +263,8 @@ void add_matrix(CLI::App& program)
       "--picture",
       "draw the distance to the nearest source, or for all vertices the number of near "
       "vertices: .png");
-  command.add("--sources", options->sources, "V[,V...]", "indices of the vertices");
-  command.add("--number", options->number, "N",
+  command.add("--sources", options->rows.sources, "V[,V...]", "indices of the vertices");
+  command.add("--number", options->rows.number, "N",
               "number of vertices, selected by farthest point sampling");
   command
       .add("--method", options->method, "NAME",
@@ -256,7 +274,9 @@ void add_matrix(CLI::App& program)
   command.add("--basis", options->basis_size, "K",
               "basis size of emd, as for distance (default 100)");
   command.add("--limit", options->max_distance, "D",
-              "only pairs of vertices within this distance, as a sparse matrix");
+              "only pairs of vertices within this distance, as a sparse matrix; in a .npy file the "
+              "others are infinite");
+  add_matrix_file_options(command, options->file);
   command.set_callback([job, options] { run_matrix(*job, *options); });
 }
 
