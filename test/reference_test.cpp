@@ -241,6 +241,7 @@ const std::map<std::string, std::string> functions_without_reference = {
     {"geodesic_voronoi_cells(", "splits faces by geodesic_voronoi_diagram()"},
     {"locate_on_surface(", "searches a bounding volume hierarchy"},
     {"make_domain(", "reads the surface"},
+    {"merge_distance_matrices(", "joins files"},
     {"mass_density(", "stores the map"}};
 
 bool is_listed(const std::map<std::string, std::string>& list, const std::string& text)

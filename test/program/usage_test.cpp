@@ -97,7 +97,7 @@ TEST_F(Program, exits_with_1_on_wrong_usage_of_sampling)
   expect_failure("matrix square.ply --values a.txt -o a.npy", 1, "cannot be combined");
   expect_failure("matrix square.ply --method spectral -o a.npy", 1, "does not support .npy");
   expect_failure("matrix square.ply --regions none.txt -o a.npy", 2, "none.txt");
-  expect_failure("merge-matrices square.ply -o a.npy", 3, "it is not a .npy file");
+  expect_failure("merge-matrices --part square.ply -o a.npy", 3, "it is not a .npy file");
 }
 
 TEST_F(Program, exits_with_1_on_wrong_usage_of_remeshing)

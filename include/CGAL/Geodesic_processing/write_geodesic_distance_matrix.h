@@ -87,7 +87,8 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
 /// \ingroup PkgGeodesicProcessingDistances
 ///
 /// Writes the matrix of geodesic distances from each source to each target to a file, for matrices
-/// that do not fit in memory. The entries are those of `geodesic_distance_matrix()`.
+/// that do not fit in memory. The entries are those of `geodesic_distance_matrix()`, by default
+/// exact distances on meshes. \cgalCite{cgal:qhyyz-fedgc-16}
 ///
 /// The file has the format `.npy` of NumPy, version 1.0, in row-major order, and can be opened by
 /// `numpy.load(path, mmap_mode='r')`. It is created in its final size and written in tiles of
@@ -137,6 +138,7 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \pre `region_map` has a value for each target.
 /// \throws as `geodesic_distance_matrix()`
 /// \throws Invalid_argument_error if `row_range` is not a range of the sources
 /// \throws File_error if the file cannot be written, if the disk has too little space, or if the

@@ -170,7 +170,10 @@ void add_merge_matrices(CLI::App& program)
   Command command(program, "merge-matrices",
                   "join .npy files with parts of the rows of a matrix, in their order");
   const auto options = std::make_shared<Options>();
-  command.add("PART", options->parts, "", "file that the command matrix has written").required();
+  command
+      .add("--part", options->parts, "FILE",
+           "file that the command matrix has written; can be repeated")
+      .required();
   command.add("-o,--output", options->output, "FILE", "file with all rows: .npy").required();
   command.set_callback(
       [options]
