@@ -21,25 +21,42 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
+// The rows and the columns of a distance matrix, and the limits of its queries.
+struct Matrix_query
+{
+  std::vector<Front_source> from;
+  std::vector<Surface_location> to;
+  Front_limits limits;
+};
+
+// Reads the sources and the named parameters of geodesic_distance_matrix().
+template <typename Domain, typename Sources, typename NamedParameters>
+Matrix_query matrix_query(const Domain& domain, const Sources& from_sources,
+                          const NamedParameters& np)
+{
+  std::vector<std::size_t> labels;
+  Matrix_query result{sources(domain, from_sources, labels), {}, limits(domain, np)};
+  Front_limits& asked = result.limits;
+  asked.callback = read_throwing_callback(np);
+  if constexpr(!has_parameter<NamedParameters, internal_np::targets_t>)
+    asked.targets = locations(domain, from_sources);
+  result.to = asked.targets;
+  // If there are as many targets as vertices, stopping at the targets does not save time.
+  if(result.to.size() >= domain.number_of_vertices())
+    asked.targets.clear();
+  return result;
+}
+
 // Computes geodesic_distance_matrix() by a method that is selected at run time.
 template <typename Concurrency_tag, typename Domain, typename Sources, typename NamedParameters>
 Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
                                    const Sources& from_sources, const NamedParameters& np)
 {
-  std::vector<std::size_t> labels;
-  const auto from = sources(domain, from_sources, labels);
-  Front_limits asked = limits(domain, np);
-  asked.callback = read_throwing_callback(np);
-  if constexpr(!has_parameter<NamedParameters, internal_np::targets_t>)
-    asked.targets = locations(domain, from_sources);
-  const std::vector<Surface_location> to = asked.targets;
-  // If there are as many targets as vertices, stopping at the targets does not save time.
-  if(to.size() >= domain.number_of_vertices())
-    asked.targets.clear();
+  const Matrix_query query = matrix_query(domain, from_sources, np);
   Distance_engine engine(method, domain.triangles(), read_heat_time_step(np));
-  engine.select(asked);
-  return distance_matrix(engine.row_engine(), domain.triangles()->scale, from, to, asked,
-                         number_of_threads<Concurrency_tag>(np));
+  engine.select(query.limits);
+  return distance_matrix(engine.row_engine(), domain.triangles()->scale, query.from, query.to,
+                         query.limits, number_of_threads<Concurrency_tag>(np));
 }
 
 // Computes sparse_geodesic_distance_matrix() by a method that is selected at run time.

@@ -44,22 +44,12 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
                               const Sources& from_sources, const std::string& path,
                               const NamedParameters& np)
 {
-  std::vector<std::size_t> labels;
-  const auto from = sources(domain, from_sources, labels);
-  Front_limits asked = limits(domain, np);
-  asked.callback = read_throwing_callback(np);
-  if constexpr(!has_parameter<NamedParameters, internal_np::targets_t>)
-    asked.targets = locations(domain, from_sources);
-  const std::vector<Surface_location> to = asked.targets;
-  // If there are as many targets as vertices, stopping at the targets does not save time.
-  if(to.size() >= domain.number_of_vertices())
-    asked.targets.clear();
-
-  const std::pair<std::size_t, std::size_t> range =
-      parameter(np, internal_np::row_range, std::pair<std::size_t, std::size_t>(0, from.size()));
-  if(range.first > range.second || range.second > from.size())
+  const Matrix_query query = matrix_query(domain, from_sources, np);
+  const std::pair<std::size_t, std::size_t> range = parameter(
+      np, internal_np::row_range, std::pair<std::size_t, std::size_t>(0, query.from.size()));
+  if(range.first > range.second || range.second > query.from.size())
     throw Invalid_argument_error("row_range is not a range of the sources.");
-  Matrix_job job{from, to, range.first, {}};
+  Matrix_job job{query.from, query.to, range.first, {}};
   if constexpr(has_parameter<NamedParameters, internal_np::region_map_t>)
   {
     const auto map = parameter(np, internal_np::region_map, 0);
@@ -70,15 +60,16 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
     job.regions->do_average = parameter(np, internal_np::do_average_regions, false);
   }
   const Matrix_layout layout = {
-      range.second - range.first, job.regions ? job.regions->number_of_regions : to.size(),
+      range.second - range.first, job.regions ? job.regions->number_of_regions : query.to.size(),
       std::is_same_v<Number, float> ? Number_format::float32 : Number_format::float64};
   const auto heat_time_step = read_heat_time_step(np);
   Distance_engine engine(method, domain.triangles(), heat_time_step);
-  engine.select(asked);
+  engine.select(query.limits);
   constexpr std::size_t default_tile_size = std::size_t(1) << 26;
-  Matrix_file file(path, layout, parameter(np, internal_np::tile_size, default_tile_size),
-                   matrix_key(*domain.triangles(), method, heat_time_step, job, asked, layout));
-  write_distance_matrix(engine.row_engine(), domain.triangles()->scale, job, asked,
+  Matrix_file file(
+      path, layout, parameter(np, internal_np::tile_size, default_tile_size),
+      matrix_key(*domain.triangles(), method, heat_time_step, job, query.limits, layout));
+  write_distance_matrix(engine.row_engine(), domain.triangles()->scale, job, query.limits,
                         number_of_threads<Concurrency_tag>(np), file);
 }
 

@@ -4,13 +4,11 @@
 #include "picture/Picture.h"
 #include "app/commands.h"
 #include "io/errors.h"
-#include "commands/command_utilities.h"
 #include "commands/matrix_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 namespace program {
@@ -74,15 +72,7 @@ Matrix_result compute_matrix(const Domain& domain, const Matrix_options& options
   using Surface_type = typename Domain::Surface;
   job.begin_stage("query");
   Matrix_result result;
-  if(!options.rows.sources.empty())
-    result.vertices = parse_indices(options.rows.sources, "--sources");
-  else if(options.rows.number)
-    result.vertices = farthest_vertices(domain, *options.rows.number, job);
-  else
-  {
-    result.vertices.resize(job.surface().file.points.size());
-    std::iota(result.vertices.begin(), result.vertices.end(), std::size_t{0});
-  }
+  result.vertices = row_vertices(domain, options.rows, job);
   std::vector<typename Domain::Vertex> descriptors;
   for(const std::size_t vertex : result.vertices)
     descriptors.push_back(vertex_at<Surface_type>(vertex));

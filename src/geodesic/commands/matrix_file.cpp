@@ -3,7 +3,6 @@
 #include "commands/matrix_file.h"
 
 #include "app/commands.h"
-#include "commands/command_utilities.h"
 #include "io/errors.h"
 #include "readers/Scanner.h"
 #include "readers/read_bytes.h"
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <fstream>
 #include <memory>
-#include <numeric>
 
 namespace program {
 
@@ -67,16 +65,7 @@ void write_rows(const Domain& domain, Job& job, const Matrix_file_options& optio
   using Surface_type = typename Domain::Surface;
   job.begin_stage("query");
   const std::size_t n = job.surface().file.points.size();
-  std::vector<std::size_t> positions;
-  if(!selection.sources.empty())
-    positions = parse_indices(selection.sources, "--sources");
-  else if(selection.number)
-    positions = farthest_vertices(domain, *selection.number, job);
-  else
-  {
-    positions.resize(n);
-    std::iota(positions.begin(), positions.end(), std::size_t{0});
-  }
+  const std::vector<std::size_t> positions = row_vertices(domain, selection, job);
   std::vector<Vertex> sources;
   for(const std::size_t position : positions)
     sources.push_back(vertex_at<Surface_type>(position));

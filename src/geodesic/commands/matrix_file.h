@@ -5,8 +5,10 @@
 
 #include "app/Command.h"
 #include "app/Job.h"
+#include "commands/command_utilities.h"
 
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +34,20 @@ struct Row_selection
 
   bool has_all_vertices() const { return sources.empty() && !number; }
 };
+
+// Returns the vertices of the rows, in their order.
+template <typename Domain>
+std::vector<std::size_t> row_vertices(const Domain& domain, const Row_selection& selection,
+                                      Job& job)
+{
+  if(!selection.sources.empty())
+    return parse_indices(selection.sources, "--sources");
+  if(selection.number)
+    return farthest_vertices(domain, *selection.number, job);
+  std::vector<std::size_t> result(job.surface().file.points.size());
+  std::iota(result.begin(), result.end(), std::size_t{0});
+  return result;
+}
 
 void add_matrix_file_options(Command& command, Matrix_file_options& options);
 
