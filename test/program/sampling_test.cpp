@@ -245,6 +245,18 @@ TEST_F(Program, matrix_joins_columns_of_regions)
     }
 }
 
+TEST_F(Program, matrix_rejects_regions_that_are_no_indices_below_number_of_vertices)
+{
+  ASSERT_EQ(run("distance square.ply --source 0 -o d.ply").code, 0);
+  expect_failure("matrix d.ply --regions distance -o m.npy", 2, "is not a region at a vertex");
+  std::ofstream(m_folder / "regions.txt") << "81\n";
+  expect_failure("matrix square.ply --regions regions.txt -o m.npy", 2,
+                 "line 1: the region is not smaller than the number of vertices");
+  std::ofstream(m_folder / "regions.txt") << "0\n1\n";
+  expect_failure("matrix square.ply --regions regions.txt -o m.npy", 2,
+                 "the number of regions is 2, but the number of vertices is 81");
+}
+
 TEST_F(Program, matrix_limit_keeps_near_pairs)
 {
   for(const char* const method : {"euclidean", "exact"})

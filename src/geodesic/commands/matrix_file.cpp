@@ -8,6 +8,7 @@
 #include "readers/read_bytes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <memory>
 
@@ -35,7 +36,7 @@ std::vector<long long> read_regions(const std::string& text, const Surface& surf
   {
     for(const double value : property(surface, text))
     {
-      if(!(value >= -1. && value < 0x1p32))
+      if(!(value >= -1. && value < static_cast<double>(n) && std::floor(value) == value))
         fail(surface.name, "the property " + printable(text) + " is not a region at a vertex");
       result.push_back(static_cast<long long>(value));
     }
