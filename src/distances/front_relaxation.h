@@ -73,12 +73,7 @@ inline bool can_invalidate(const Front_state& front)
 
 // Returns whether the descendants of a final vertex whose distance decreases by `correction` must
 // be invalidated.
-inline bool needs_invalidation(const Front_state& front, Index vertex, double correction)
-{
-  const Vertex_fans::Fan_edge& edge = front.fans->edges[front.fans->begin[vertex].edge];
-  return !(edge.flags & Vertex_fans::Fan_edge::is_curved) ||
-         correction > invalidation_ratio * edge.length;
-}
+bool needs_invalidation(const Front_state& front, Index vertex, double correction);
 
 // Returns a lower bound of the distance at a vertex: the offset plus the distance along the
 // straight line to the only point source, or minus infinity.
@@ -114,7 +109,7 @@ inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index sou
     if(distance >= max_distance)
       return false;
     vertex.state += correction_unit;
-    if(front.fans && needs_invalidation(front, v, vertex.distance - distance))
+    if(front.is_circular() && needs_invalidation(front, v, vertex.distance - distance))
       front.corrected_vertices.push_back(v);
   }
   else if(distance >= vertex.distance)
@@ -139,8 +134,9 @@ inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index sou
   {
     front.reached.push_back(v);
     front.queue.insert(v, distance + arrival.delay);
-    if(front.fans)
-      prefetch(&front.fans->begin[v]);
+    prefetch(&front.triangles->ring_begin[v]);
+    if(front.splits && !front.splits->begin.empty())
+      prefetch(&front.splits->begin[v]);
   }
   return true;
 }
@@ -153,10 +149,12 @@ void invalidate_descendants(Front_state& front);
 // vertex.
 bool may_improve_neighbors(const Front_state& front, Index vertex);
 
-// Relaxes the far end of a fan edge with the length of the edge. Requires fans.
-void relax_along_edge(Front_state& front, Index vertex, const Fan_position& position, Index flags);
+// Relaxes the far end of an edge with the length of the edge, on a mesh. The edge is the right one
+// (the halfedge that leaves the corner) or the left one of a triangle, as seen from the vertex of
+// its corner.
+void relax_along_edge(Front_state& front, Index corner, bool is_left, Index flags);
 
-// Relaxes all vertices adjacent to a vertex with the lengths of the edges. Requires fans.
+// Relaxes all vertices adjacent to a vertex of a mesh with the lengths of the edges.
 void relax_all_edges(Front_state& front, Index vertex, Index flags);
 
 // Decreases the distances of a Euclidean front on a mesh to those along edges of the mesh: edges

@@ -64,35 +64,50 @@ bool to_target_frame(const Vec2& backward, bool is_mirrored, double base, const 
   return true;
 }
 
-// Relaxes the far vertex of the triangle after a fan edge by the circular front that crosses an
-// edge at `v`. This is the right edge or, if mirrored, the left edge, as seen from `v`. `angle`
-// is the unit vector of the angle between the source and that edge.
-void update_circular(Front_state& front, Index v, const Fan_position& position, bool is_mirrored,
-                     const Vec2& angle, double min_curvature)
+// The two edges of a triangle at one of its corners.
+struct Corner_edges
 {
-  const Vertex_fans::Fan_edge* const right = &front.fans->edges[position.edge];
-  const Vec2& opening = right->opening;
-  const Vertex_fans::Fan_edge &near = right[is_mirrored ? 1 : 0], &far = right[is_mirrored ? 0 : 1];
+  Index near_vertex, far_vertex;
+  double near_length, far_length;
+};
+
+// Returns the right edge at a corner as the near one and the left edge as the far one, as seen from
+// the vertex of the corner; if mirrored, the other way round.
+Corner_edges edges_at(const Surface_arrays& t, Index corner, bool is_mirrored)
+{
+  const Index next = next_halfedge(corner), previous = previous_halfedge(corner);
+  if(is_mirrored)
+    return {t.corner[previous], t.corner[next], t.length[previous], t.length[corner]};
+  return {t.corner[next], t.corner[previous], t.length[corner], t.length[previous]};
+}
+
+// Relaxes the far vertex of a triangle by the circular front that crosses the near edge of its
+// corner at `v`; see edges_at(). `opening` is the angle of the corner, and `angle` that between the
+// source and the near edge, both as unit vectors.
+void update_circular(Front_state& front, Index v, Index corner, bool is_mirrored,
+                     const Vec2& opening, const Vec2& angle, double min_curvature)
+{
+  const Corner_edges edges = edges_at(*front.triangles, corner, is_mirrored);
   const Front_vertex& x = front.vertices[v];
-  const Front_vertex& z = front.vertices[near.vertex];
+  const Front_vertex& z = front.vertices[edges.near_vertex];
   // A tentative distance is an overestimate that would yield a far too large curvature.
   const bool is_tentative = (z.state & (tentative_flag | final_flag)) == tentative_flag;
   if(!(z.distance < infinity) || is_tentative)
     return;
-  const double base = near.length;
-  const Vec2 y = far.length * opening;
+  const double base = edges.near_length;
+  const Vec2 y = edges.far_length * opening;
   // The curvature of a front on a polyhedron is at least that of a front from a point at this
   // distance. Therefore the gain is at least |y - r u| - r with r = 1 / min_curvature.
   const Index flags = (x.state | z.state) & straight_flag;
   double curvature = flags ? 0. : min_curvature;
   const Vec2 source = {angle[0], -angle[1]};
-  const double max_gain = max_useful_gain(front, x, front.vertices[far.vertex]);
-  if(curvature * (far.length - max_gain) * (far.length + max_gain) >=
+  const double max_gain = max_useful_gain(front, x, front.vertices[edges.far_vertex]);
+  if(curvature * (edges.far_length - max_gain) * (edges.far_length + max_gain) >=
      2. * (max_gain + dot(y, source)))
     return;
   // The distances of two sources are never combined.
   bool has_closer_neighbor = false;
-  if(front.have_same_source(v, near.vertex))
+  if(front.have_same_source(v, edges.near_vertex))
   {
     const double difference = z.distance - x.distance;
     has_closer_neighbor =
@@ -106,18 +121,17 @@ void update_circular(Front_state& front, Index v, const Fan_position& position, 
   if(!cross_edge({source, curvature}, base, y, gain, backward))
     return;
   const double distance = x.distance + gain;
-  if(!(distance < front.vertices[far.vertex].distance))
+  if(!(distance < front.vertices[edges.far_vertex].distance))
     return;
   Vec2 direction;
   if(!to_target_frame(backward, is_mirrored, base, y, opening, direction))
     return;
-  const Index corner = front.triangles->ring[position.ring];
   const Index arrival_corner = is_mirrored ? next_halfedge(corner) : previous_halfedge(corner);
-  const bool is_accepted =
-      relax(front, far.vertex, {distance, direction, arrival_corner, flags, 0.}, front.sources[v]);
+  const bool is_accepted = relax(
+      front, edges.far_vertex, {distance, direction, arrival_corner, flags, 0.}, front.sources[v]);
   // The near vertex was reached before, around the opposite side of a vertex of positive curvature.
   // The recursion ends because each call decreases a distance.
-  if(is_accepted && has_closer_neighbor && was_reached_after(front, v, near.vertex))
+  if(is_accepted && has_closer_neighbor && was_reached_after(front, v, edges.near_vertex))
     update_from(front, is_mirrored ? previous_halfedge(corner) : next_halfedge(corner),
                 !is_mirrored);
 }
@@ -130,8 +144,8 @@ void update_from(Front_state& front, Index corner, bool is_mirrored)
   Vec2 source;
   if(!source_direction(front, corner, is_mirrored, source))
     return;
-  const Fan_position position = fan_position(t, *front.fans, vertex, corner);
-  update_circular(front, vertex, position, is_mirrored, {source[0], -source[1]},
+  update_circular(front, vertex, corner, is_mirrored, corner_angle(t, corner),
+                  {source[0], -source[1]},
                   1. / (front.vertices[vertex].distance - front.offset_at(vertex)));
 }
 
@@ -139,51 +153,25 @@ void update_from(Front_state& front, Index corner, bool is_mirrored)
 // of an adjacent vertex (Reimers 2004).
 void propagate_without_direction(Front_state& front, Index v)
 {
-  const Vertex_fans& s = *front.fans;
+  const Surface_arrays& t = *front.triangles;
   const Front_vertex from = front.vertices[v];
   relax_all_edges(front, v, tentative_flag | (from.state & straight_flag));
   const double curvature = 1. / (from.distance - front.offset_at(v));
-  Fan_position position = {s.begin[v].edge, s.begin[v].ring};
-  for(; position.edge < s.begin[v + 1].edge; ++position.edge)
+  for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
   {
-    const Vertex_fans::Fan_edge& right = s.edges[position.edge];
-    if(!(right.flags & Vertex_fans::Fan_edge::has_triangle))
-      continue;
-    const Vertex_fans::Fan_edge& left = (&right)[1];
+    const Index corner = t.ring[i];
+    const Vec2 opening = corner_angle(t, corner);
     for(const bool is_mirrored : {false, true})
     {
-      const Vertex_fans::Fan_edge& near = is_mirrored ? left : right;
-      Circular_front circle{
-          {1., 0.},
-          (from.state | front.vertices[near.vertex].state) & straight_flag ? 0. : curvature};
-      if(front.sources[near.vertex] == front.sources[v] &&
-         fit_source_direction(near.length, front.vertices[near.vertex].distance - from.distance,
-                              circle))
-        update_circular(front, v, position, is_mirrored, {circle.source[0], -circle.source[1]},
-                        curvature);
+      const Corner_edges edges = edges_at(t, corner, is_mirrored);
+      const Front_vertex& near = front.vertices[edges.near_vertex];
+      Circular_front circle{{1., 0.}, (from.state | near.state) & straight_flag ? 0. : curvature};
+      if(front.sources[edges.near_vertex] == front.sources[v] &&
+         fit_source_direction(edges.near_length, near.distance - from.distance, circle))
+        update_circular(front, v, corner, is_mirrored, opening,
+                        {circle.source[0], -circle.source[1]}, curvature);
     }
-    ++position.ring;
   }
-}
-
-// The fan of a vertex that contains a triangle; a triangle is identified by the fan edge before it.
-struct Fan
-{
-  Index begin, end; // its triangles are begin .. end - 1
-  bool is_closed;   // no boundary
-  bool is_only_fan; // of its vertex
-};
-
-Fan fan_of(const Vertex_fans& s, Index v, Index triangle)
-{
-  Index begin = triangle, end = triangle + 1;
-  while(begin > s.begin[v].edge && (s.edges[begin - 1].flags & Vertex_fans::Fan_edge::has_triangle))
-    --begin;
-  while(s.edges[end].flags & Vertex_fans::Fan_edge::has_triangle)
-    ++end;
-  const bool is_closed = (s.edges[end].flags & Vertex_fans::Fan_edge::is_repeated) != 0;
-  const bool is_only_fan = end - begin == s.begin[v + 1].ring - s.begin[v].ring;
-  return {begin, end, is_closed, is_only_fan};
 }
 
 // Relaxes through the triangles around a vertex, in both directions from the triangle through which
@@ -191,71 +179,56 @@ Fan fan_of(const Vertex_fans& s, Index v, Index triangle)
 // covered all triangles of the vertex.
 bool propagate_around(Front_state& front, Index v)
 {
-  const Vertex_fans& s = *front.fans;
+  const Surface_arrays& t = *front.triangles;
   const Front_vertex& from = front.vertices[v];
-  const Index straight = from.state & straight_flag;
   const Vec2 direction = front.directions[v];
   const double min_curvature = 1. / (from.distance - front.offset_at(v));
-  const Fan_position entry = fan_position(*front.triangles, s, v, from.corner);
-  const auto [begin, end, is_closed, is_only_fan] = fan_of(s, v, entry.edge);
-  const auto position_of = [&](Index edge) {
-    return Fan_position{edge, entry.ring + edge - entry.edge};
-  };
-  const auto opening = [&](Index triangle) -> const Vec2& { return s.edges[triangle].opening; };
+  const Index entry = from.corner, degree = t.ring_begin[v + 1] - t.ring_begin[v];
   // If no triangle reaches the end of an edge, that end gets the length of the edge and no
   // direction.
-  const Index tentative_flags = tentative_flag | straight;
-  relax_along_edge(front, v, position_of(entry.edge), tentative_flags);
-  relax_along_edge(front, v, position_of(entry.edge + 1), tentative_flags);
+  const Index tentative_flags = tentative_flag | (from.state & straight_flag);
+  relax_along_edge(front, entry, false, tentative_flags);
+  relax_along_edge(front, entry, true, tentative_flags);
 
   // Counterclockwise; `angle` is the angle between the source and the edge to be crossed.
-  Index number_of_triangles = 1, left = entry.edge;
-  Vec2 angle = rotated_back(opening(left), direction);
+  Index number_of_triangles = 1, left = entry;
+  Vec2 angle = rotated_back(corner_angle(t, entry), direction);
   angle[1] = std::max(angle[1], 0.);
   for(;;)
   {
-    if(++left == end)
-    {
-      if(!is_closed)
-        break;
-      left = begin;
-    }
-    if(left == entry.edge)
-      return is_only_fan;
-    const Vec2 next_angle = rotated(angle, opening(left));
+    left = next_corner_ccw(t, left);
+    if(left == none)
+      break;
+    if(left == entry)
+      return number_of_triangles == degree;
+    const Vec2 opening = corner_angle(t, left), next_angle = rotated(angle, opening);
     if(next_angle[1] >= shadow_tolerance)
-      update_circular(front, v, position_of(left), false, angle, min_curvature);
+      update_circular(front, v, left, false, opening, angle, min_curvature);
     ++number_of_triangles;
     angle = next_angle;
     if(angle[1] < 0.)
       break;
-    relax_along_edge(front, v, position_of(left + 1), tentative_flags);
+    relax_along_edge(front, left, true, tentative_flags);
   }
-
   // Clockwise, until it meets the triangle at which the counterclockwise pass ended.
   angle = {direction[0], std::max(direction[1], 0.)};
-  for(Index right = entry.edge;;)
+  for(Index right = entry;;)
   {
-    if(right == begin)
-    {
-      if(!is_closed)
-        break;
-      right = end;
-    }
-    --right;
-    const Vec2 next_angle = rotated(angle, opening(right));
+    right = next_corner_cw(t, right);
+    if(right == none)
+      break;
+    const Vec2 opening = corner_angle(t, right), next_angle = rotated(angle, opening);
     if(next_angle[1] >= shadow_tolerance)
-      update_circular(front, v, position_of(right), true, angle, min_curvature);
+      update_circular(front, v, right, true, opening, angle, min_curvature);
     angle = next_angle;
     if(angle[1] >= 0.)
-      relax_along_edge(front, v, position_of(right), tentative_flags);
+      relax_along_edge(front, right, false, tentative_flags);
     if(right == left)
-      return is_only_fan && number_of_triangles == end - begin;
+      return number_of_triangles == degree;
     ++number_of_triangles;
     if(angle[1] < 0.)
       break;
   }
-
   return false;
 }
 

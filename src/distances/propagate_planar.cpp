@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distances/front_updates.h"
 
+#include "core/unfold.h"
 #include "distances/front_relaxation.h"
 
 #include <algorithm>
@@ -38,19 +39,26 @@ Planar_distance planar_update(const Front_state& front, Index x, Index z, double
 // `v`.
 void relax_split_corners(Front_state& front, Index v)
 {
-  const Vertex_fans& s = *front.fans;
+  const Obtuse_splits& s = *front.splits;
   const auto is_final = [&](Index vertex)
   { return (front.vertices[vertex].state & final_flag) != 0; };
-  for(Index i = s.begin[v].split; i < s.begin[v + 1].split; ++i)
+  for(Index i = s.begin[v]; i < s.begin[v + 1]; ++i)
   {
-    const Vertex_fans::Split& split = s.splits[i];
-    if(is_final(split.target) || !is_final(split.along))
+    const Obtuse_splits::View& view = s.views[i];
+    if(is_final(view.target) || !is_final(view.along))
       continue;
-    const double distance = planar_update(front, v, split.along, split.base, split.apex,
-                                          front.slowness_in(split.corner / 3))
-                                .distance;
-    if(distance < front.vertices[split.target].distance)
-      relax(front, split.target, {distance, {1., 0.}, split.neighbor, 0, 0.}, front.sources[v]);
+    const Obtuse_splits::Split& split = s.splits[view.split()];
+    const std::size_t half = view.half();
+    const double base = split.base[half], to_neighbor = split.to_neighbor[half];
+    const Vec2 apex = view.is_from_splitting_vertex()
+                          ? third_corner(base, split.length, to_neighbor)
+                          : third_corner(base, to_neighbor, split.length);
+    const Index neighbor = view.is_from_splitting_vertex() ? view.along : v;
+    const double distance =
+        planar_update(front, v, view.along, base, apex, front.slowness_in(split.corner / 3))
+            .distance;
+    if(distance < front.vertices[view.target].distance)
+      relax(front, view.target, {distance, {1., 0.}, neighbor, 0, 0.}, front.sources[v]);
   }
 }
 
@@ -59,7 +67,6 @@ void relax_split_corners(Front_state& front, Index v)
 void propagate_planar(Front_state& front, Index v)
 {
   const Surface_arrays& t = *front.triangles;
-  const Vertex_fans& s = *front.fans;
   if(t.is_cloud())
     propagate_along_edges(front, v);
   const Front_vertex* const vertices = front.vertices.data();
@@ -68,21 +75,35 @@ void propagate_planar(Front_state& front, Index v)
   const double distance = vertices[v].distance;
   const Index source = front.sources[v];
 
-  // The one-ring lists the triangles in the order of the fan edges.
-  const Index* triangle = front.slowness ? t.ring.data() + t.ring_begin[v] : nullptr;
-  double slowness_before = infinity; // of the triangle before the fan edge
-  const Vertex_fans::Fan_edge* const end = s.edges.data() + s.begin[v + 1].edge;
-  for(const Vertex_fans::Fan_edge* edge = s.edges.data() + s.begin[v].edge; edge != end; ++edge)
+  constexpr Index max_degree = 16; // of almost all vertices
+  std::array<Fan_edge, 2 * max_degree> few_edges;
+  std::vector<Fan_edge> many_edges;
+  const Fan_edge *first, *end;
+  if(front.fans)
   {
-    double slowness_after = infinity;
-    if(edge->flags & Vertex_fans::Fan_edge::has_triangle)
-      slowness_after = front.slowness ? (*front.slowness)[*triangle++ / 3] : 1.;
+    first = front.fans->edges.data() + front.fans->begin[v];
+    end = front.fans->edges.data() + front.fans->begin[v + 1];
+  }
+  else
+  {
+    const Index degree = t.ring_begin[v + 1] - t.ring_begin[v];
+    if(degree > max_degree)
+      many_edges.resize(2 * std::size_t(degree));
+    Fan_edge* const edges = degree > max_degree ? many_edges.data() : few_edges.data();
+    first = edges;
+    end = read_fan_edges(t, v, edges);
+  }
+  double slowness_before = infinity; // of the triangle before the edge
+  for(const Fan_edge* edge = first; edge != end; ++edge)
+  {
+    const double slowness_after =
+        edge->corner == none ? infinity : front.slowness_in(edge->corner / 3);
     if(!is_final(edge->vertex))
     {
       double best_distance = distance + std::min(slowness_before, slowness_after) * edge->length;
       Index predecessor = v;
-      const auto update_from_pair =
-          [&](const Vertex_fans::Fan_edge& other, const Vec2& opening, double slowness)
+      // Updates through a triangle from `v` and the far end of its other edge.
+      const auto update_from_pair = [&](const Fan_edge& other, const Vec2& opening, double slowness)
       {
         const Planar_distance update =
             planar_update(front, v, other.vertex, other.length, edge->length * opening, slowness);
@@ -92,12 +113,11 @@ void propagate_planar(Front_state& front, Index v)
           predecessor = update.is_closer_to_z ? other.vertex : v;
         }
       };
-      if(slowness_after < infinity && !(edge->flags & Vertex_fans::Fan_edge::is_obtuse_split) &&
-         is_final(edge[1].vertex))
+      if(slowness_after < infinity && is_final(edge[1].vertex) &&
+         !front.splits->is_split(next_halfedge(edge->corner)))
         update_from_pair(edge[1], edge->opening, slowness_after);
-      if(slowness_before < infinity &&
-         !(edge[-1].flags & Vertex_fans::Fan_edge::is_next_obtuse_split) &&
-         is_final(edge[-1].vertex))
+      if(slowness_before < infinity && is_final(edge[-1].vertex) &&
+         !front.splits->is_split(previous_halfedge(edge[-1].corner)))
         update_from_pair(edge[-1], edge[-1].opening, slowness_before);
       if(best_distance < vertices[edge->vertex].distance)
         relax(front, edge->vertex, {best_distance, {1., 0.}, predecessor, 0, 0.}, source);
@@ -105,7 +125,8 @@ void propagate_planar(Front_state& front, Index v)
     slowness_before = slowness_after;
   }
 
-  relax_split_corners(front, v);
+  if(!front.splits->splits.empty())
+    relax_split_corners(front, v);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

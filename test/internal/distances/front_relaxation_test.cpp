@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
+
 namespace front_relaxation_test {
 
 using namespace CGAL::Geodesic_processing;
@@ -23,7 +26,6 @@ Front_state state_of(const Array_surface& surface, Front_kind kind)
   front.queue = Vertex_queue(surface.size());
   front.offsets = {0.};
   front.has_single_source = true;
-  front.fans = shared_vertex_fans(surface.t(), false);
   return front;
 }
 
@@ -72,6 +74,36 @@ TEST(Front_relaxation, final_vertices_of_planar_fronts_do_not_change)
   relax(front, 3, {2., {1., 0.}, none, 0, 0.}, 0);
   front.vertices[3].state |= final_flag;
   EXPECT_FALSE(relax(front, 3, {1., {1., 0.}, none, 0, 0.}, 0));
+}
+
+// On a flat surface, a front that is fitted to an overestimate has wrong descendants. On a curved one
+// it is not exact anyway.
+TEST(Front_relaxation, small_corrections_invalidate_descendants_on_flat_surfaces_only)
+{
+  const auto number_of_flat_vertices = [](const Triangulation& triangulation)
+  {
+    const Array_surface surface(triangulation);
+    const Front_state front = state_of(surface, Front_kind::euclidean);
+    std::size_t result = 0;
+    for(Index vertex = 0; vertex < surface.size(); ++vertex)
+    {
+      EXPECT_TRUE(needs_invalidation(front, vertex, 1.));
+      result += needs_invalidation(front, vertex, 1e-9) ? 1 : 0;
+    }
+    return result;
+  };
+  const Triangulation sphere = icosphere(2), plane = square(10, 0.25);
+  EXPECT_EQ(number_of_flat_vertices(plane), plane.points.size());
+  // Vertices on straight creases and on the boundary are flat; cone and saddle vertices are not.
+  const auto fold = [](double u, double v) { return Point{u, v, std::abs(u - 0.5)}; };
+  const Triangulation folded = grid(10, 10, fold);
+  EXPECT_EQ(number_of_flat_vertices(folded), folded.points.size());
+  for(const double angle : {5., 7.})
+  {
+    const Triangulation disk = cone(8, 3, angle);
+    EXPECT_EQ(number_of_flat_vertices(disk), disk.points.size() - 1);
+  }
+  EXPECT_EQ(number_of_flat_vertices(sphere), 0u);
 }
 
 } // namespace front_relaxation_test

@@ -30,6 +30,7 @@ struct Proximity_graph
 inline constexpr double min_edge_length = 0x1p-36;
 
 struct Vertex_fans;
+struct Obtuse_splits;
 class Intrinsic_triangulation;
 
 // The edges of a mesh that an intrinsic triangulation bisects.
@@ -40,7 +41,7 @@ enum class Bisected_edges
 };
 
 // What all fronts on the same arrays share, as long as one of these fronts exists; see
-// vertex_fans.h and Intrinsic_triangulation.h. A copy of the arrays starts without it, because its
+// vertex_fans.h, obtuse_splits.h and Intrinsic_triangulation.h. A copy of the arrays starts without it, because its
 // lengths may be changed.
 struct Shared_structures
 {
@@ -49,12 +50,14 @@ struct Shared_structures
   Shared_structures& operator=(const Shared_structures&)
   {
     vertex_fans = {};
+    obtuse_splits = {};
     intrinsic_triangulations = {};
     return *this;
   }
 
   std::mutex mutex;
-  std::array<std::weak_ptr<const Vertex_fans>, 2> vertex_fans; // without and with split angles
+  std::weak_ptr<const Vertex_fans> vertex_fans;
+  std::weak_ptr<const Obtuse_splits> obtuse_splits;
   // Without and with bisected edges.
   std::array<std::weak_ptr<const Intrinsic_triangulation>, 2> intrinsic_triangulations;
 };

@@ -29,6 +29,13 @@ public:
   bool empty() const { return m_heap.empty(); }
   bool contains(Index vertex) const { return m_position[vertex] != none; }
   const Entry& front() const { return m_heap.front(); }
+  // Calls visit(vertex) for the children of the front, one of which mostly becomes the next front.
+  template <typename Visitor>
+  void for_each_child_of_front(const Visitor& visit) const
+  {
+    for(std::size_t i = 1; i < std::min<std::size_t>(m_heap.size(), 5); ++i)
+      visit(m_heap[i].vertex);
+  }
   // Inserts a vertex, or changes its key if it is in the queue.
   void push(Index vertex, double key)
   {

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include <CGAL/Geodesic_processing/internal/distances/obtuse_splits.h>
 #include <CGAL/Geodesic_processing/internal/distances/vertex_fans.h>
 
 #include <cstddef>
@@ -46,6 +47,10 @@ struct Front_state
   // Returns true if vertices store the direction to their source. With speeds, a Euclidean front
   // is a planar one.
   bool has_directions() const { return kind == Front_kind::euclidean && !slowness; }
+  // Returns true if the front crosses triangles as a straight line.
+  bool is_planar() const { return kind != Front_kind::dijkstra && !has_directions(); }
+  // Returns true if the front crosses triangles as a circle.
+  bool is_circular() const { return has_directions() && !triangles->is_cloud(); }
   // Returns whether a vertex is one of the surface, not an inserted midpoint of an edge.
   bool is_on_surface(Index vertex) const { return vertex < surface->number_of_vertices(); }
   // Returns the offset of the source of a reached vertex.
@@ -67,8 +72,8 @@ struct Front_state
   std::shared_ptr<const Surface_arrays> surface; // locations and speeds refer to it
   // Of a Euclidean front on a mesh with needles, caps or long edges; otherwise null.
   std::shared_ptr<const Intrinsic_triangulation> intrinsic_triangulation;
-  // Of a Euclidean front on a mesh: for circular fronts, and for straight ones if there are speeds.
-  std::shared_ptr<const Vertex_fans> circular_fans, split_fans;
+  std::shared_ptr<const Obtuse_splits> splits;          // of a front that was planar in any query
+  std::shared_ptr<const Vertex_fans> fans;              // of a front with many planar queries
   std::shared_ptr<const std::vector<Index>> components; // #vertices; euclidean on clouds only
   Front_kind kind = Front_kind::dijkstra;
 
@@ -90,7 +95,6 @@ struct Front_state
   // What the front propagates on: the surface, or its intrinsic triangulation. All corners and
   // halfedges of the results refer to these triangles.
   std::shared_ptr<const Surface_arrays> triangles;
-  std::shared_ptr<const Vertex_fans> fans; // null for dijkstra, and for clouds if euclidean
   // #triangles; null if it is the same everywhere
   std::shared_ptr<const std::vector<double>> slowness;
   // The pieces of the sources by triangle, sorted by triangle.

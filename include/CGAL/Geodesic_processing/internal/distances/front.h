@@ -75,6 +75,7 @@ private:
   // Of the last query, as in Front_limits, and its value if that is the same everywhere.
   std::shared_ptr<const std::vector<double>> m_slowness;
   std::optional<double> m_constant_slowness = 1.;
+  std::size_t m_number_of_visits = 0; // of all queries
 };
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -6,88 +6,57 @@
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The edges and triangles around each vertex, as a front reads them.
-//
-// The data of a vertex is contiguous, because a front visits vertices in random order and spends
-// more time on memory access than on arithmetic.
-struct Vertex_fans
+// An edge that leaves a vertex, and the triangle between it and the next edge.
+struct Fan_edge
 {
-  // An edge incident to the vertex, and the triangle between it and the next edge of the fan.
-  struct Fan_edge
-  {
-    enum Flag : Index
-    {
-      has_triangle = 1,         // otherwise it is the last edge of its fan
-      is_repeated = 2,          // first edge of a closed fan, stored at both ends
-      is_obtuse_split = 4,      // the triangle's corner at `vertex` is obtuse and split
-      is_next_obtuse_split = 8, // the same for the corner at the next edge's `vertex`
-      is_curved = 16,           // first edge of an interior vertex whose angle sum is not 2 pi
-    };
-    Index vertex; // at the far end
-    Index flags;
-    double length;
-    Vec2 opening; // (cos, sin) of the triangle's angle at the center vertex
-  };
-  // One half of a split obtuse corner (Kimmel and Sethian 1998, section 3). The triangles behind
-  // the opposite edge are unfolded into the plane of the triangle until a vertex splits the obtuse
-  // angle into two acute ones. Each half is a virtual triangle that contains the corner. It is
-  // stored at both ends of its base.
-  struct Split
-  {
-    Index corner;   // the obtuse corner
-    Index target;   // the vertex of that corner
-    Index along;    // the other end of the base
-    Index neighbor; // the end of the base that is adjacent to the target
-    double base;    // length of the base
-    Vec2 apex;      // position of the corner; the base runs along the first axis
-  };
-
-  // The begins of the edges, the splits and the one-ring of a vertex, as in CSR format.
-  struct Offsets
-  {
-    Index edge, split, ring;
-  };
-
-  std::vector<Offsets> begin; // #vertices + 1
-  // Each fan is in counterclockwise order; a closed fan ends with a copy of its first edge.
-  std::vector<Fan_edge> edges;
-  std::vector<Split> splits;
+  Index vertex; // at the far end
+  Index corner; // of the triangle, at the vertex that the edge leaves; none if there is no triangle
+  double length;
+  Vec2 opening; // (cos, sin) of the angle of the corner
 };
 
-// Computes the fans of all vertices in O(#triangles) time. If `with_splits`, obtuse corners of
-// meshes are split; at most 20 triangles are unfolded for each corner.
-CGAL_GEODESIC_PROCESSING_EXPORT Vertex_fans build_vertex_fans(const Surface_arrays& triangles,
-                                                              bool with_splits);
+// Writes the edges that leave a vertex, in the order of its one-ring, and returns their end. Triangles
+// of the one-ring that follow each other mostly share an edge. If one shares none with the next
+// triangle, an edge without a triangle follows; so there are at most two edges per triangle. The first
+// edge of a closed fan is written at both ends.
+inline Fan_edge* read_fan_edges(const Surface_arrays& t, Index vertex, Fan_edge* end)
+{
+  const Index *corner = t.ring.data() + t.ring_begin[vertex], *const ring_end =
+                                                                  t.ring.data() +
+                                                                  t.ring_begin[vertex + 1];
+  while(corner != ring_end)
+  {
+    const Index next = next_halfedge(*corner), previous = previous_halfedge(*corner),
+                left = t.corner[previous];
+    const double right_length = t.length[*corner], left_length = t.length[previous];
+    *end++ = {t.corner[next], *corner, right_length,
+              angle_between(right_length, left_length, t.length[next])};
+    ++corner;
+    if(corner == ring_end || t.corner[next_halfedge(*corner)] != left)
+      *end++ = {left, none, left_length, {1., 0.}};
+  }
+  return end;
+}
+
+// The edges that leave each vertex of a surface, stored contiguously, for many fronts.
+struct Vertex_fans
+{
+  std::vector<Index> begin; // #vertices + 1
+  std::vector<Fan_edge> edges;
+};
+
+// Returns read_fan_edges() of all vertices. O(#triangles).
+CGAL_GEODESIC_PROCESSING_EXPORT Vertex_fans build_vertex_fans(const Surface_arrays& triangles);
 
 // Returns build_vertex_fans(), computed once as long as any user holds the result. The triangles
 // must not change afterwards. Thread-safe.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::shared_ptr<const Vertex_fans> shared_vertex_fans(const Surface_arrays& triangles,
-                                                      bool with_splits);
-
-// The position of a triangle in the fan of one of its vertices.
-struct Fan_position
-{
-  Index edge; // fan edge before the triangle
-  Index ring; // position in Surface_arrays::ring
-};
-
-// Returns the position of the triangle of a corner around the vertex of that corner; O(degree).
-inline Fan_position fan_position(const Surface_arrays& triangles, const Vertex_fans& fans,
-                                 Index vertex, Index corner)
-{
-  Fan_position position = {fans.begin[vertex].edge, fans.begin[vertex].ring};
-  for(; triangles.ring[position.ring] != corner; ++position.ring, ++position.edge)
-    if(!(fans.edges[position.edge + 1].flags & Vertex_fans::Fan_edge::has_triangle))
-      ++position.edge;
-  return position;
-}
+std::shared_ptr<const Vertex_fans> shared_vertex_fans(const Surface_arrays& triangles);
 
 } // namespace CGAL::Geodesic_processing::internal
 
