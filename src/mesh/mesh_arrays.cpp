@@ -3,9 +3,11 @@
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
 
 #include "mesh/edges_of_soup.h"
+#include "mesh/oriented_rings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,40 +17,6 @@
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
-
-namespace {
-
-// Returns the triangles sorted by their smallest vertex, ties by index (counting sort).
-std::vector<Index> triangle_order(const std::vector<Index>& corner, std::size_t number_of_vertices)
-{
-  const std::size_t m = corner.size() / 3;
-  std::vector<Index> begin(number_of_vertices + 1, 0), order(m);
-  const auto smallest = [&](std::size_t f) {
-    return std::min({corner[3 * f], corner[3 * f + 1], corner[3 * f + 2]});
-  };
-  for(std::size_t f = 0; f < m; ++f)
-    ++begin[smallest(f) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  for(std::size_t f = 0; f < m; ++f)
-    order[begin[smallest(f)]++] = static_cast<Index>(f);
-  return order;
-}
-
-// Counts the triangles without area in double precision; see Mesh_arrays.
-std::size_t count_degenerate_triangles(const std::vector<double>& length)
-{
-  std::size_t count = 0;
-  for(std::size_t c = 0; c < length.size(); c += 3)
-  {
-    const double a = length[c], b = length[c + 1], l = length[c + 2];
-    const double longest = std::max({a, b, l});
-    if(std::min({a, b, l}) <= 0. || a + b + l - longest <= longest)
-      ++count;
-  }
-  return count;
-}
-
-} // namespace
 
 void build_rings(Surface_arrays& t, std::size_t number_of_vertices)
 {
@@ -84,34 +52,120 @@ void build_rings(Surface_arrays& t, std::size_t number_of_vertices)
 
 namespace {
 
-// Sorts the triangles and fills the corners, the twins and the maps between faces and triangles.
-void add_triangles(Mesh_arrays& result, const std::vector<Index>& corners,
-                   const std::vector<Index>& twins)
-{
-  Surface_arrays& t = result.arrays;
-  const std::size_t m = corners.size() / 3;
-  std::vector<Index> corner_vertex(corners.size());
-  std::transform(corners.begin(), corners.end(), corner_vertex.begin(),
-                 [&](Index vertex) { return result.internal_vertex[vertex]; });
-  result.face_of_triangle = triangle_order(corner_vertex, result.caller_vertex.size());
-  result.triangle_of_face.resize(m);
-  for(Index f = 0; f < m; ++f)
-    result.triangle_of_face[result.face_of_triangle[f]] = f;
+// Vertices or triangles that a thread processes at once.
+constexpr std::size_t block_size = 1 << 14;
 
-  t.corner.resize(3 * m);
-  t.twin.resize(3 * m);
-  for(std::size_t f = 0; f < m; ++f)
+std::size_t number_of_blocks(std::size_t size) { return (size + block_size - 1) / block_size; }
+
+// Sorts the points and fills the maps between the vertices. The points are not scaled.
+void sort_points(Mesh_arrays& result, const std::vector<std::array<double, 3>>& points,
+                 const Frame& frame, unsigned number_of_threads)
+{
+  result.caller_vertex = morton_order(points, frame);
+  result.internal_vertex.resize(points.size());
+  result.arrays.point.resize(points.size());
+  for_each_block(points.size(), block_size, number_of_threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(std::size_t s = begin; s < end; ++s)
+                   {
+                     const Index v = result.caller_vertex[s];
+                     result.internal_vertex[v] = static_cast<Index>(s);
+                     result.arrays.point[s] = points[v];
+                   }
+                 });
+}
+
+// Sorts the triangles by their smallest vertex, ties by index (counting sort). Fills the corners and
+// the maps between faces and triangles.
+void sort_triangles(Mesh_arrays& result, const std::vector<Index>& corners,
+                    unsigned number_of_threads)
+{
+  const std::size_t m = corners.size() / 3;
+  const Index* const internal = result.internal_vertex.data();
+  std::vector<Index>& triangle_of_face = result.triangle_of_face;
+  triangle_of_face.resize(m);
+  const auto for_each_face = [&](const auto& visit)
+  {
+    for_each_block(m, block_size, number_of_threads,
+                   [&](std::size_t, std::size_t begin, std::size_t end)
+                   {
+                     for(std::size_t f = begin; f < end; ++f)
+                       visit(f);
+                   });
+  };
+  // First the smallest vertex of each face, then its position.
+  for_each_face(
+      [&](std::size_t f)
+      {
+        const Index* const corner = corners.data() + 3 * f;
+        triangle_of_face[f] =
+            std::min({internal[corner[0]], internal[corner[1]], internal[corner[2]]});
+      });
+  std::vector<Index> begin(result.caller_vertex.size() + 1, 0);
+  for(const Index smallest : triangle_of_face)
+    ++begin[smallest + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  for(Index& triangle : triangle_of_face)
+    triangle = begin[triangle]++;
+
+  result.face_of_triangle.resize(m);
+  result.arrays.corner.resize(3 * m);
+  for_each_face(
+      [&](std::size_t f)
+      {
+        const Index triangle = triangle_of_face[f];
+        result.face_of_triangle[triangle] = static_cast<Index>(f);
+        for(std::size_t k = 0; k < 3; ++k)
+          result.arrays.corner[3 * std::size_t(triangle) + k] = internal[corners[3 * f + k]];
+      });
+}
+
+// Fills the twins from those of the faces.
+void sort_twins(Mesh_arrays& result, const std::vector<Index>& twins)
+{
+  std::vector<Index>& sorted = result.arrays.twin;
+  sorted.resize(twins.size());
+  for(std::size_t f = 0; f < result.face_of_triangle.size(); ++f)
     for(std::size_t k = 0, from = 3 * std::size_t(result.face_of_triangle[f]); k < 3; ++k)
     {
       const Index twin = twins[from + k];
-      t.corner[3 * f + k] = corner_vertex[from + k];
-      t.twin[3 * f + k] = twin == none ? none : 3 * result.triangle_of_face[twin / 3] + twin % 3;
+      sorted[3 * f + k] = twin == none ? none : 3 * result.triangle_of_face[twin / 3] + twin % 3;
     }
 }
 
-// Computes the scaled lengths of the halfedges. Returns the maximum. The points are not scaled:
-// differences of the caller's coordinates have smaller errors.
-double compute_lengths(Surface_arrays& t, const Frame& frame)
+// The lengths of a range of triangles.
+struct Length_statistics
+{
+  double longest = 0.;
+  std::size_t number_of_positive = 0;
+  std::size_t number_of_large = 0;      // not below min_edge_length
+  std::size_t number_of_degenerate = 0; // triangles without area in double precision
+
+  void add(const double* length)
+  {
+    const double a = length[0], b = length[1], c = length[2], longest_here = std::max({a, b, c});
+    if(std::min({a, b, c}) <= 0. || a + b + c - longest_here <= longest_here)
+      ++number_of_degenerate;
+    longest = std::max(longest, longest_here);
+    for(int k = 0; k < 3; ++k)
+    {
+      number_of_positive += length[k] > 0. ? 1 : 0;
+      number_of_large += length[k] >= min_edge_length ? 1 : 0;
+    }
+  }
+  void add(const Length_statistics& other)
+  {
+    longest = std::max(longest, other.longest);
+    number_of_positive += other.number_of_positive;
+    number_of_large += other.number_of_large;
+    number_of_degenerate += other.number_of_degenerate;
+  }
+};
+
+// Computes the scaled lengths of the halfedges. The points are not scaled: differences of the
+// caller's coordinates have smaller errors.
+Length_statistics compute_lengths(Surface_arrays& t, const Frame& frame, unsigned number_of_threads)
 {
   const auto distance =
       [scaled = Scaling(frame)](const std::array<double, 3>& p, const std::array<double, 3>& q)
@@ -122,26 +176,58 @@ double compute_lengths(Surface_arrays& t, const Frame& frame)
     return square > std::numeric_limits<double>::min() ? std::sqrt(square) : std::hypot(x, y, z);
   };
   t.length.resize(t.corner.size());
-  double longest = 0.;
-  for(Index h = 0; h < t.corner.size(); ++h)
-  {
-    const Index twin = t.twin[h];
-    t.length[h] = twin < h ? t.length[twin]
-                           : distance(t.point[t.corner[h]], t.point[t.corner[next_halfedge(h)]]);
-    longest = std::max(longest, t.length[h]);
-  }
-  return longest;
+  const std::size_t m = t.number_of_triangles();
+  std::vector<Length_statistics> of_blocks(number_of_blocks(m));
+  for_each_block(m, block_size, number_of_threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 {
+                   Length_statistics statistics;
+                   for(std::size_t c = 3 * begin; c < 3 * end; c += 3)
+                   {
+                     const std::array<double, 3>&p = t.point[t.corner[c]],
+                                              &q = t.point[t.corner[c + 1]],
+                                              &r = t.point[t.corner[c + 2]];
+                     t.length[c] = distance(p, q);
+                     t.length[c + 1] = distance(q, r);
+                     t.length[c + 2] = distance(r, p);
+                     statistics.add(&t.length[c]);
+                   }
+                   of_blocks[block] = statistics;
+                 });
+  Length_statistics result;
+  for(const Length_statistics& block : of_blocks)
+    result.add(block);
+  return result;
 }
 
-// Returns whether most lengths that are not zero would be set to min_edge_length. Then distances
-// would be wrong.
-bool are_most_too_short(const std::vector<double>& length)
+// Computes the lengths and scales them and the points; see Mesh_arrays.
+void measure(Mesh_arrays& result, const Frame& frame, unsigned number_of_threads)
 {
-  const auto positive =
-      std::count_if(length.begin(), length.end(), [](double l) { return l > 0.; });
-  const auto large =
-      std::count_if(length.begin(), length.end(), [](double l) { return l >= min_edge_length; });
-  return 2 * large < positive;
+  Surface_arrays& t = result.arrays;
+  const Length_statistics statistics = compute_lengths(t, frame, number_of_threads);
+  result.number_of_degenerate_triangles = statistics.number_of_degenerate;
+  // Most lengths that are not zero would be set to min_edge_length. Then distances would be wrong.
+  if(2 * statistics.number_of_large < statistics.number_of_positive)
+    throw Unsupported_surface_error(
+        "Most edges are more than 5*10^10 times shorter than the extent of "
+        "the mesh. Perhaps a vertex is far from the others.");
+  const double unit_length =
+      statistics.longest > 0. ? std::ldexp(1., std::ilogb(statistics.longest)) : 1.;
+  const double factor = 1. / unit_length; // exact: a power of two
+  // The maximum of each length and a constant preserves the triangle inequality.
+  const double min_length = statistics.longest > 0. ? min_edge_length : 0.;
+  for_each_block(t.length.size(), block_size, number_of_threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(std::size_t h = begin; h < end; ++h)
+                     t.length[h] = factor * std::max(t.length[h], min_length);
+                 });
+  to_frame(t.point, frame);
+  for(auto& point : t.point)
+    for(double& coordinate : point)
+      coordinate *= factor;
+  t.scale = frame.scale * unit_length;
+  t.origin = frame.origin;
 }
 
 } // namespace
@@ -150,47 +236,30 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
                               const std::vector<Index>& corners, const std::vector<Index>& twins)
 {
   Mesh_arrays result;
-  Surface_arrays& t = result.arrays;
-  const std::size_t n = points.size();
-
   const Frame frame = unit_frame(points, corners);
-  {
-    auto scaled_points = points;
-    to_frame(scaled_points, frame);
-    result.caller_vertex = morton_order(scaled_points);
-  }
-  result.internal_vertex.resize(n);
-  t.point.resize(n);
-  for(Index s = 0; s < n; ++s)
-  {
-    result.internal_vertex[result.caller_vertex[s]] = s;
-    t.point[s] = points[result.caller_vertex[s]];
-  }
+  sort_points(result, points, frame, 1);
   points = {};
+  sort_triangles(result, corners, 1);
+  sort_twins(result, twins);
+  measure(result, frame, 1);
+  build_rings(result.arrays, result.caller_vertex.size());
+  return result;
+}
 
-  add_triangles(result, corners, twins);
-  const double longest = compute_lengths(t, frame);
-  to_frame(t.point, frame);
-  result.number_of_degenerate_triangles = count_degenerate_triangles(t.length);
-  if(are_most_too_short(t.length))
-    throw Unsupported_surface_error(
-        "Most edges are more than 5*10^10 times shorter than the extent of "
-        "the mesh. Perhaps a vertex is far from the others.");
-  // The maximum of each length and a constant preserves the triangle inequality.
-  if(longest > 0.)
-    for(double& length : t.length)
-      length = std::max(length, min_edge_length);
-  const double unit_length = longest > 0. ? std::ldexp(1., std::ilogb(longest)) : 1.;
-  const double factor = 1. / unit_length; // exact: a power of two
-  for(double& length : t.length)
-    length *= factor;
-  for(auto& point : t.point)
-    for(double& coordinate : point)
-      coordinate *= factor;
-  t.scale = frame.scale * unit_length;
-  t.origin = frame.origin;
-
-  build_rings(t, n);
+std::optional<Mesh_arrays> build_oriented_arrays(const std::vector<std::array<double, 3>>& points,
+                                                 const std::vector<Index>& corners,
+                                                 Ring_counts& counts, unsigned number_of_threads)
+{
+  Mesh_arrays result;
+  const Frame frame = unit_frame(points, corners);
+  sort_points(result, points, frame, number_of_threads);
+  sort_triangles(result, corners, number_of_threads);
+  const std::optional<Ring_counts> ring_counts =
+      build_oriented_rings(result.arrays, points.size(), number_of_threads);
+  if(!ring_counts)
+    return std::nullopt;
+  counts = *ring_counts;
+  measure(result, frame, number_of_threads);
   return result;
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <string>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -53,9 +55,13 @@ Frame unit_frame(const std::vector<std::array<double, 3>>& points, const std::ve
     throw Invalid_argument_error("The points are too far apart: their distances overflow.");
   if(!used.empty())
   {
-    box = {};
+    std::vector<bool> is_used(points.size(), false);
     for(const Index i : used)
-      box.add(points[i]);
+      is_used[i] = true;
+    box = {};
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if(is_used[i])
+        box.add(points[i]);
   }
   Frame frame;
   for(int k = 0; k < 3; ++k)
@@ -89,36 +95,46 @@ std::uint64_t spread_bits(std::uint64_t x)
 
 } // namespace
 
-std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points)
+std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points,
+                                const Frame& frame)
 {
-  struct Entry
-  {
-    std::uint64_t key;
-    Index point;
-  };
   const std::size_t n = points.size();
-  std::vector<Entry> entries(n), sorted(n);
   // 11 bits per axis: of a surface of a million points, only a few are in the same cell.
-  const auto cell = [](double x)
-  { return static_cast<std::uint64_t>(std::clamp((x + 2.) * 512., 0., 2047.)); };
-  for(std::size_t i = 0; i < n; ++i)
-    entries[i] = {spread_bits(cell(points[i][0])) | spread_bits(cell(points[i][1])) << 1 |
-                      spread_bits(cell(points[i][2])) << 2,
-                  static_cast<Index>(i)};
-  for(int shift = 0; shift < 33; shift += 11)
+  const Scaling scaled(frame);
+  const auto cell = [&](const std::array<double, 3>& point, int k)
   {
-    std::array<std::size_t, 2049> begin{};
-    for(const Entry& entry : entries)
-      ++begin[(entry.key >> shift & 2047) + 1];
-    for(std::size_t digit = 1; digit < begin.size(); ++digit)
-      begin[digit] += begin[digit - 1];
-    for(const Entry& entry : entries)
-      sorted[begin[entry.key >> shift & 2047]++] = entry;
-    std::swap(entries, sorted);
+    return static_cast<std::uint64_t>(
+        std::clamp((scaled(point[k] - frame.origin[k]) + 2.) * 512., 0., 2047.));
+  };
+  const auto key_of = [&](std::size_t i)
+  {
+    return spread_bits(cell(points[i], 0)) | spread_bits(cell(points[i], 1)) << 1 |
+           spread_bits(cell(points[i], 2)) << 2;
+  };
+
+  // Radix sort by the three digits of the keys.
+  std::array<std::array<Index, 2048>, 3> begin{};
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::uint64_t key = key_of(i);
+    for(int digit = 0; digit < 3; ++digit)
+      ++begin[digit][key >> 11 * digit & 2047];
   }
+  for(auto& counts : begin)
+    std::exclusive_scan(counts.begin(), counts.end(), counts.begin(), Index(0));
+  // The two digits that remain after the first pass and the index of the point fit into 64 bits. The
+  // keys are computed twice, because this is faster than storing them.
+  std::vector<std::uint64_t> entries(n), sorted(n);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::uint64_t key = key_of(i);
+    entries[begin[0][key & 2047]++] = key >> 11 << 32 | i;
+  }
+  for(const std::uint64_t entry : entries)
+    sorted[begin[1][entry >> 32 & 2047]++] = entry;
   std::vector<Index> order(n);
-  std::transform(entries.begin(), entries.end(), order.begin(),
-                 [](const Entry& entry) { return entry.point; });
+  for(const std::uint64_t entry : sorted)
+    order[begin[2][entry >> 43]++] = static_cast<Index>(entry);
   return order;
 }
 

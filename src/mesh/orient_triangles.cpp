@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -61,40 +62,6 @@ std::vector<bool> choose_flips(const std::vector<Index>& corners, std::vector<In
   return flip;
 }
 
-// Counts the fans of triangles around all points, and the points with several fans. Returns the
-// number of fans.
-std::size_t count_fans(std::size_t number_of_points, const std::vector<Index>& corners,
-                       const std::vector<Index>& twins, Soup_report& report)
-{
-  std::size_t number_of_fans = 0;
-  std::vector<std::uint8_t> fans(number_of_points, 0);
-  std::vector<bool> seen(corners.size(), false);
-  for(Index c = 0; c < corners.size(); ++c)
-  {
-    if(seen[c])
-      continue;
-    // Circulates clockwise to the boundary or once around, then counterclockwise over the whole
-    // fan.
-    Index start = c;
-    while(twins[start] != none && next_halfedge(twins[start]) != c)
-      start = next_halfedge(twins[start]);
-    for(Index d = start;;)
-    {
-      seen[d] = true;
-      const Index before = previous_halfedge(d);
-      if(twins[before] == none || twins[before] == start)
-        break;
-      d = twins[before];
-    }
-    ++number_of_fans;
-    std::uint8_t& count = fans[corners[c]];
-    count = static_cast<std::uint8_t>(std::min(count + 1, 2));
-  }
-  report.number_of_nonmanifold_points =
-      static_cast<std::size_t>(std::count(fans.begin(), fans.end(), 2));
-  return number_of_fans;
-}
-
 // Counts the boundary cycles. Returns the number of boundary halfedges.
 std::size_t count_boundary_cycles(const std::vector<Index>& twins, Soup_report& report)
 {
@@ -139,13 +106,71 @@ std::vector<Index> orient_triangles(std::vector<Index>& corners, std::vector<Ind
   return twins;
 }
 
-void measure_topology(std::size_t number_of_points, const std::vector<Index>& corners,
-                      const std::vector<Index>& twins, Soup_report& report)
+std::size_t count_fans(std::size_t number_of_points, const std::vector<Index>& corners,
+                       const std::vector<Index>& twins, Soup_report& report)
 {
-  const std::size_t number_of_triangles = corners.size() / 3,
-                    number_of_fans = count_fans(number_of_points, corners, twins, report),
-                    number_of_boundary_halfedges = count_boundary_cycles(twins, report),
-                    number_of_edges = (corners.size() + number_of_boundary_halfedges) / 2;
+  std::size_t number_of_fans = 0;
+  std::vector<std::uint8_t> fans(number_of_points, 0);
+  std::vector<bool> seen(corners.size(), false);
+  for(Index c = 0; c < corners.size(); ++c)
+  {
+    if(seen[c])
+      continue;
+    // Circulates clockwise to the boundary or once around, then counterclockwise over the whole
+    // fan.
+    Index start = c;
+    while(twins[start] != none && next_halfedge(twins[start]) != c)
+      start = next_halfedge(twins[start]);
+    for(Index d = start;;)
+    {
+      seen[d] = true;
+      const Index before = previous_halfedge(d);
+      if(twins[before] == none || twins[before] == start)
+        break;
+      d = twins[before];
+    }
+    ++number_of_fans;
+    std::uint8_t& count = fans[corners[c]];
+    count = static_cast<std::uint8_t>(std::min(count + 1, 2));
+  }
+  report.number_of_nonmanifold_points =
+      static_cast<std::size_t>(std::count(fans.begin(), fans.end(), 2));
+  return number_of_fans;
+}
+
+std::size_t count_components(const std::vector<Index>& twins)
+{
+  // Union-find. Adjacent triangles are mostly close to each other in memory.
+  const Index number_of_triangles = static_cast<Index>(twins.size() / 3);
+  std::vector<Index> parent(number_of_triangles);
+  std::iota(parent.begin(), parent.end(), Index(0));
+  const auto root_of = [&](Index f)
+  {
+    while(parent[f] != f)
+      f = parent[f] = parent[parent[f]];
+    return f;
+  };
+  std::size_t result = number_of_triangles;
+  for(Index f = 0; f < number_of_triangles; ++f)
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      if(twins[h] < h) // not none
+      {
+        const Index a = root_of(f), b = root_of(twins[h] / 3);
+        if(a != b)
+        {
+          parent[std::max(a, b)] = std::min(a, b);
+          --result;
+        }
+      }
+  return result;
+}
+
+void measure_topology(std::size_t number_of_fans, const std::vector<Index>& twins,
+                      Soup_report& report)
+{
+  const std::size_t number_of_boundary_halfedges = count_boundary_cycles(twins, report),
+                    number_of_triangles = twins.size() / 3,
+                    number_of_edges = (twins.size() + number_of_boundary_halfedges) / 2;
   // Euler's formula: #vertices - #edges + #triangles = 2 #components - 2 genus - #boundary cycles.
   report.genus = (2 * report.number_of_components + number_of_edges -
                   report.number_of_boundary_cycles - number_of_fans - number_of_triangles) /

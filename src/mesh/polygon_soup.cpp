@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -117,9 +118,30 @@ bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c)
   return length[0] <= 0. || length[0] + length[1] <= length[2];
 }
 
+// Returns whether all polygons are triangles of three different corners.
+bool has_only_triangles(const Polygon_soup& soup)
+{
+  const std::vector<Index>& corners = soup.corners;
+  if(corners.size() != 3 * (soup.polygon_begin.size() - 1))
+    return false;
+  for(std::size_t f = 0; f + 1 < soup.polygon_begin.size(); ++f)
+    if(const std::size_t c = 3 * f; soup.polygon_begin[f] != c || corners[c] == corners[c + 1] ||
+                                    corners[c + 1] == corners[c + 2] ||
+                                    corners[c + 2] == corners[c])
+      return false;
+  return true;
+}
+
 // Appends the triangles of all polygons.
 void triangulate(const Polygon_soup& soup, const Soup_options& options, Repaired_soup& result)
 {
+  if(result.replacement.empty() && !options.do_remove_degenerate_faces && has_only_triangles(soup))
+  {
+    result.corners = soup.corners;
+    result.polygon.resize(soup.polygon_begin.size() - 1);
+    std::iota(result.polygon.begin(), result.polygon.end(), Index(0));
+    return;
+  }
   constexpr std::size_t max_corners = 10000; // the triangulation takes quadratic time
   result.corners.reserve(soup.corners.size());
   result.polygon.reserve(soup.polygon_begin.size());
@@ -254,26 +276,88 @@ void remove_duplicates(Repaired_soup& soup, Halfedge_pairs& pairs)
   pairs.opposite.resize(3 * std::size_t(number_kept));
 }
 
-} // namespace
-
-Repaired_soup repair_soup(const Polygon_soup& soup, const Soup_options& options)
+// Merges points and triangulates polygons; fills all but the twins.
+Repaired_soup triangulated(const Polygon_soup& soup, const Soup_options& options)
 {
   check(soup, options);
   Repaired_soup result;
-  const std::size_t n = soup.points.size();
   if(options.merge_tolerance)
     result.replacement =
         merge_points(soup.points, *options.merge_tolerance, result.report.number_of_merged_points);
   triangulate(soup, options, result);
   if(result.corners.size() > max_number_of_halfedges)
     throw Unsupported_surface_error("The polygons have more than 2^31 halfedges.");
+  return result;
+}
 
-  Halfedge_pairs pairs = pair_halfedges(n, result.corners);
-  remove_duplicates(result, pairs);
-  result.report.number_of_duplicate_triangles = pairs.number_of_duplicates;
-  result.report.number_of_split_edges = pairs.number_of_nonmanifold_edges;
-  result.twins = orient_triangles(result.corners, std::move(pairs.opposite), result.report);
-  measure_topology(n, result.corners, result.twins, result.report);
+// Removes duplicates, orients the triangles and pairs their halfedges.
+void glue(std::size_t number_of_points, Repaired_soup& soup)
+{
+  Halfedge_pairs pairs = pair_halfedges(number_of_points, soup.corners);
+  remove_duplicates(soup, pairs);
+  soup.report.number_of_duplicate_triangles = pairs.number_of_duplicates;
+  soup.report.number_of_split_edges = pairs.number_of_nonmanifold_edges;
+  soup.twins = orient_triangles(soup.corners, std::move(pairs.opposite), soup.report);
+  const std::size_t number_of_fans =
+      count_fans(number_of_points, soup.corners, soup.twins, soup.report);
+  measure_topology(number_of_fans, soup.twins, soup.report);
+}
+
+// Moves the points that have not been replaced to the front, and changes the corners accordingly.
+void remove_replaced_points(std::vector<Vec3>& points, const std::vector<Index>& replacement,
+                            std::vector<Index>& corners)
+{
+  std::vector<Index> position(points.size());
+  Index number_kept = 0;
+  for(Index i = 0; i < points.size(); ++i)
+    if(replacement[i] == i)
+    {
+      position[i] = number_kept;
+      points[number_kept++] = points[i];
+    }
+  points.resize(number_kept);
+  for(Index& corner : corners)
+    corner = position[corner];
+}
+
+} // namespace
+
+Repaired_soup repair_soup(const Polygon_soup& soup, const Soup_options& options)
+{
+  Repaired_soup result = triangulated(soup, options);
+  glue(soup.points.size(), result);
+  return result;
+}
+
+Soup_arrays build_soup_arrays(Polygon_soup soup, const Soup_options& options)
+{
+  const std::size_t number_of_polygons = soup.polygon_begin.size() - 1;
+  Repaired_soup repaired = triangulated(soup, options);
+  soup.corners = {};
+  soup.polygon_begin = {};
+  if(!repaired.replacement.empty())
+    remove_replaced_points(soup.points, repaired.replacement, repaired.corners);
+
+  Soup_arrays result;
+  Ring_counts counts;
+  if(auto arrays =
+         build_oriented_arrays(soup.points, repaired.corners, counts, options.number_of_threads))
+  {
+    result.mesh = std::move(*arrays);
+    repaired.report.number_of_components = count_components(result.mesh.arrays.twin);
+    repaired.report.number_of_nonmanifold_points = counts.number_of_nonmanifold_vertices;
+    measure_topology(counts.number_of_fans, result.mesh.arrays.twin, repaired.report);
+  }
+  else
+  {
+    glue(soup.points.size(), repaired);
+    result.mesh = build_mesh_arrays(std::move(soup.points), repaired.corners, repaired.twins);
+  }
+  result.report = repaired.report;
+  result.report.number_of_triangles_without_area = result.mesh.number_of_degenerate_triangles;
+  result.replacement = std::move(repaired.replacement);
+  if(repaired.polygon.size() != number_of_polygons)
+    result.polygon = std::move(repaired.polygon);
   return result;
 }
 

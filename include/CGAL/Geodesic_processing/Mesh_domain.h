@@ -153,17 +153,11 @@ protected:
     std::pair<Vertex, Vertex> vertex_range;
     std::pair<Face, Face> face_range;
   };
-  // Builds the arrays from vertices and faces in the order of the caller, which are then sorted.
-  // Returns the number of triangles without area.
+  // Sorts the vertices and faces, which are in the order of the caller, in the order of the arrays.
   //
   // replacements: #data.merged_vertices, positions in data.vertices
-  // coordinates: #vertices
-  // corners: 3 #triangles, positions in data.vertices
-  // twins: 3 #triangles
-  std::size_t build(Data data, const std::vector<internal::Index>& replacements,
-                    std::vector<std::array<double, 3>> coordinates,
-                    const std::vector<internal::Index>& corners,
-                    const std::vector<internal::Index>& twins);
+  void initialize(Data data, const std::vector<internal::Index>& replacements,
+                  internal::Mesh_arrays arrays);
 
   const TriangleMesh* m_mesh = nullptr; // null if the surface is a soup
   std::shared_ptr<const internal::Lazy_mesh<TriangleMesh>> m_mesh_of_soup;
@@ -255,15 +249,14 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
     if(h != halfedge(read_face, mesh))
       throw Unsupported_surface_error("A face of the mesh is not a triangle.");
   }
-  build(std::move(data), {}, std::move(coordinates), corners, twins);
+  initialize(std::move(data), {},
+             internal::build_mesh_arrays(std::move(coordinates), corners, twins));
 }
 
 template <typename TriangleMesh>
-std::size_t Mesh_domain<TriangleMesh>::build(Data data,
-                                             const std::vector<internal::Index>& replacements,
-                                             std::vector<std::array<double, 3>> coordinates,
-                                             const std::vector<internal::Index>& corners,
-                                             const std::vector<internal::Index>& twins)
+void Mesh_domain<TriangleMesh>::initialize(Data data,
+                                           const std::vector<internal::Index>& replacements,
+                                           internal::Mesh_arrays arrays)
 {
   using internal::Index;
   const auto read_vertices = std::move(data.vertices);
@@ -283,8 +276,6 @@ std::size_t Mesh_domain<TriangleMesh>::build(Data data,
     data.face_range = {*first_descriptor, *last_descriptor};
   }
 
-  internal::Mesh_arrays arrays =
-      internal::build_mesh_arrays(std::move(coordinates), corners, twins);
   data.vertices.reserve(read_vertices.size());
   for(const Index v : arrays.caller_vertex)
   {
@@ -305,7 +296,6 @@ std::size_t Mesh_domain<TriangleMesh>::build(Data data,
   }
   m_triangles = std::make_shared<const internal::Surface_arrays>(std::move(arrays.arrays));
   m_data = std::make_shared<const Data>(std::move(data));
-  return arrays.number_of_degenerate_triangles;
 }
 
 template <typename TriangleMesh>

@@ -73,11 +73,11 @@ public:
   /// \param face a face of `mesh()`
   std::size_t polygon(typename Surface_mesh<Point>::Face_index face) const
   {
-    return m_content->polygon[face];
+    return m_content->polygon.empty() ? std::size_t(face) : m_content->polygon[face];
   }
 
   /// Returns the number of faces of the mesh. Does not build the mesh. O(1).
-  std::size_t number_of_faces() const { return m_content->polygon.size(); }
+  std::size_t number_of_faces() const { return this->m_data->faces.size(); }
 
   /// Returns the positions of the points at the corners of a face of the mesh, in counterclockwise
   /// order. Does not build the mesh. O(1).
@@ -95,10 +95,9 @@ private:
   struct Content
   {
     Soup_report report;
-    std::vector<Index> polygon; // #faces
+    std::vector<Index> polygon; // #faces; see Soup_arrays
   };
-  void initialize(std::vector<Point> points, std::vector<std::array<double, 3>> coordinates,
-                  internal::Repaired_soup soup);
+  void initialize(std::vector<Point> points, internal::Soup_arrays soup);
 
   std::shared_ptr<const Content> m_content;
 };
@@ -143,49 +142,45 @@ Soup_domain<Point>::Soup_domain(const PointRange& points, const PolygonRange& po
     options.merge_tolerance = internal::parameter(np, internal_np::merge_tolerance, 0.);
   options.do_remove_degenerate_faces =
       internal::parameter(np, internal_np::do_remove_degenerate_faces, false);
-  internal::Repaired_soup repaired = internal::repair_soup(soup, options);
+  options.number_of_threads = internal::parameter(np, internal_np::number_of_threads, 1u);
+  internal::Soup_arrays arrays = internal::build_soup_arrays(std::move(soup), options);
 
   std::vector<Point> points_of_mesh;
   points_of_mesh.reserve(number_of_points);
   for(const auto& element : points)
     points_of_mesh.push_back(get(point_map, element));
-  initialize(std::move(points_of_mesh), std::move(soup.points), std::move(repaired));
+  initialize(std::move(points_of_mesh), std::move(arrays));
 }
 
 template <typename Point>
-void Soup_domain<Point>::initialize(std::vector<Point> points,
-                                    std::vector<std::array<double, 3>> coordinates,
-                                    internal::Repaired_soup soup)
+void Soup_domain<Point>::initialize(std::vector<Point> points, internal::Soup_arrays soup)
 {
   using Mesh = Surface_mesh<Point>;
-  const std::size_t number_of_faces = soup.polygon.size();
+  const std::size_t number_of_faces = soup.mesh.arrays.number_of_triangles();
   typename Base::Data data(points.size(), number_of_faces);
   data.faces.reserve(number_of_faces);
   data.vertices.reserve(points.size());
   for(Index f = 0; f < number_of_faces; ++f)
     data.faces.push_back(typename Mesh::Face_index(f));
 
-  // Moves the points that have not been replaced to the front.
-  std::vector<Index> position(coordinates.size()), replacements;
-  for(Index i = 0; i < position.size(); ++i)
+  // The positions of the points that have not been replaced.
+  std::vector<Index> position(soup.replacement.size()), replacements;
+  for(Index i = 0; i < points.size(); ++i)
   {
     const typename Mesh::Vertex_index vertex(i);
-    if(!soup.replacement.empty() && soup.replacement[i] != i)
+    if(!soup.replacement.empty())
     {
-      data.merged_vertices.push_back(vertex);
-      replacements.push_back(position[soup.replacement[i]]);
-      continue;
+      if(soup.replacement[i] != i)
+      {
+        data.merged_vertices.push_back(vertex);
+        replacements.push_back(position[soup.replacement[i]]);
+        continue;
+      }
+      position[i] = static_cast<Index>(data.vertices.size());
     }
-    position[i] = static_cast<Index>(data.vertices.size());
-    coordinates[data.vertices.size()] = coordinates[i];
     data.vertices.push_back(vertex);
   }
-  coordinates.resize(data.vertices.size());
-  for(Index& corner : soup.corners)
-    corner = position[corner];
-
-  soup.report.number_of_triangles_without_area =
-      this->build(std::move(data), replacements, std::move(coordinates), soup.corners, soup.twins);
+  Base::initialize(std::move(data), replacements, std::move(soup.mesh));
   m_content = std::make_shared<const Content>(Content{soup.report, std::move(soup.polygon)});
   this->m_mesh_of_soup = std::make_shared<const internal::Lazy_mesh<Mesh>>(
       [points = std::move(points), triangles = this->m_triangles, data = this->m_data]
@@ -212,7 +207,8 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 /// reversed. `Soup_domain::report()` has the number of each repair. A soup that needs no repair has
 /// the same results as its mesh.
 ///
-/// \tparam Concurrency_tag has no effect
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default), or `CGAL::Parallel_tag` for several
+///         threads. The results are identical.
 /// \tparam PointRange a model of `Range`
 /// \tparam PolygonRange a model of `Range` whose elements are ranges of integers
 /// \param points the points
@@ -240,6 +236,11 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_threads}
+///     \cgalParamDescription{the number of threads}
+///     \cgalParamType{`unsigned`}
+///     \cgalParamDefault{1; with `CGAL::Parallel_tag`, the number of hardware threads}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \pre The property map has a value for each element of `points`.
 /// \returns the domain
@@ -249,7 +250,7 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 ///         have more than 2<SUP>31</SUP> halfedges
 ///
 /// O(n) for n points of bounded degree, and O(k<SUP>2</SUP>) for a polygon of k corners. The domain
-/// takes about 205 bytes per point, and its mesh, if a function needs it, about 110 more.
+/// takes about 200 bytes per point, and its mesh, if a function needs it, about 110 more.
 template <typename Concurrency_tag = Sequential_tag, typename PointRange, typename PolygonRange,
           typename NamedParameters = internal::Default_parameters,
           std::enable_if_t<!internal::is_named_parameters<PolygonRange>, int> = 0>
@@ -257,7 +258,12 @@ Soup_domain<internal::Soup_point<PointRange, NamedParameters>>
 make_domain(const PointRange& points, const PolygonRange& polygons,
             const NamedParameters& np = NamedParameters())
 {
-  return {points, polygons, np};
+  if constexpr(std::is_same_v<Concurrency_tag, Sequential_tag>)
+    return {points, polygons, np};
+  else
+    return {
+        points, polygons,
+        internal::chain(np).number_of_threads(internal::number_of_threads<Concurrency_tag>(np))};
 }
 
 /// \ingroup PkgGeodesicProcessingDomain

@@ -36,7 +36,7 @@ void set_triangles(const Domain& domain, Surface_file& file)
 }
 
 // Constructs the domain from the arrays of a file, without copies of them.
-Domain make_domain(const Surface_file& file)
+Domain make_domain(const Surface_file& file, unsigned threads)
 {
   const auto point_map = boost::make_function_property_map<Point>(
       [](const Point& p) { return Kernel::Point_3(p[0], p[1], p[2]); });
@@ -49,7 +49,7 @@ Domain make_domain(const Surface_file& file)
       file.points,
       boost::irange<std::size_t>(0, file.number_of_polygons()) |
           boost::adaptors::transformed(polygon),
-      CGAL::parameters::point_map(point_map));
+      CGAL::Geodesic_processing::parameters::number_of_threads(threads).point_map(point_map));
 }
 
 } // namespace
@@ -67,7 +67,7 @@ Surface repair(Surface_file file, const std::string& filename, unsigned threads)
   }
   try
   {
-    surface.domain = make_domain(surface.file);
+    surface.domain = make_domain(surface.file, threads);
   }
   catch(const std::runtime_error& error)
   {

@@ -9,8 +9,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <random>
 #include <set>
+#include <utility>
 
 namespace mesh_arrays_test {
 
@@ -249,6 +253,111 @@ TEST(Mesh_arrays, throws_if_most_edges_are_too_short)
   surface.points[8] = surface.points[7];
   surface.points[8][0] += 1e-13;
   EXPECT_NO_THROW(arrays_of(surface));
+}
+
+void expect_equal(const Mesh_arrays& mesh, const Mesh_arrays& other)
+{
+  EXPECT_EQ(mesh.internal_vertex, other.internal_vertex);
+  EXPECT_EQ(mesh.caller_vertex, other.caller_vertex);
+  EXPECT_EQ(mesh.triangle_of_face, other.triangle_of_face);
+  EXPECT_EQ(mesh.face_of_triangle, other.face_of_triangle);
+  EXPECT_EQ(mesh.number_of_degenerate_triangles, other.number_of_degenerate_triangles);
+  EXPECT_EQ(mesh.arrays.corner, other.arrays.corner);
+  EXPECT_EQ(mesh.arrays.twin, other.arrays.twin);
+  EXPECT_EQ(mesh.arrays.length, other.arrays.length);
+  EXPECT_EQ(mesh.arrays.ring_begin, other.arrays.ring_begin);
+  EXPECT_EQ(mesh.arrays.ring, other.arrays.ring);
+  EXPECT_EQ(mesh.arrays.point, other.arrays.point);
+  EXPECT_EQ(mesh.arrays.scale, other.arrays.scale);
+  EXPECT_EQ(mesh.arrays.origin, other.arrays.origin);
+}
+
+// A fan of triangles around its first point, closed or not.
+Triangulation fan(Index degree, bool is_closed)
+{
+  Triangulation result = {{{0., 0., 0.}}, {}};
+  for(Index i = 0; i < degree; ++i)
+    result.points.push_back({std::cos(i), std::sin(i), 0.1 * i});
+  for(Index i = 0; i + (is_closed ? 0 : 1) < degree; ++i)
+    result.corners.insert(result.corners.end(), {1 + i, 1 + (i + 1) % degree, 0});
+  return result;
+}
+
+TEST(Build_oriented_arrays, has_arrays_of_the_twins_of_a_soup)
+{
+  const Triangulation bowtie = {
+      {{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {-1., 0., 0.}, {0., -1., 0.}}, {0, 1, 2, 0, 3, 4}};
+  // Triangles on both sides of one triangle.
+  const Triangulation two_sided = {{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, {0, 1, 2, 0, 2, 1}};
+  std::mt19937 random(1);
+  for(Triangulation surface : {bowtie, two_sided, square(30, 0.2), icosphere(4), fan(5, true),
+                               fan(5, false), fan(100, true), fan(100, false), Triangulation()})
+    for(int repetition = 0; repetition < 3; ++repetition)
+    {
+      const auto twins = twins_of_soup(surface.points.size(), surface.corners);
+      const Mesh_arrays expected = build_mesh_arrays(surface.points, surface.corners, twins);
+      std::set<std::pair<Index, Index>> fans; // a vertex, and the smallest corner of the fan
+      for(Index c = 0; c < surface.corners.size(); ++c)
+      {
+        Index smallest = c, corner = c;
+        do
+          smallest = std::min(smallest, corner);
+        while((corner = twins[previous_halfedge(corner)]) != none && corner != c);
+        for(corner = c; twins[corner] != none && next_halfedge(twins[corner]) != c;)
+          smallest = std::min(smallest, corner = next_halfedge(twins[corner]));
+        fans.insert({surface.corners[c], smallest});
+      }
+      std::map<Index, int> fans_of_vertex;
+      for(const auto& [vertex, corner] : fans)
+        ++fans_of_vertex[vertex];
+      for(const unsigned number_of_threads : {1u, 2u, 5u})
+      {
+        Ring_counts counts;
+        const auto mesh =
+            build_oriented_arrays(surface.points, surface.corners, counts, number_of_threads);
+        ASSERT_TRUE(mesh.has_value());
+        expect_equal(*mesh, expected);
+        EXPECT_EQ(counts.number_of_fans, fans.size());
+        EXPECT_EQ(counts.number_of_nonmanifold_vertices,
+                  std::size_t(std::count_if(fans_of_vertex.begin(), fans_of_vertex.end(),
+                                            [](const auto& v) { return v.second > 1; })));
+      }
+      // Once more, with the triangles in another order.
+      for(std::size_t f = surface.corners.size() / 3; f > 1; --f)
+        std::swap_ranges(surface.corners.begin() + 3 * (f - 1), surface.corners.begin() + 3 * f,
+                         surface.corners.begin() + 3 * (random() % f));
+    }
+}
+
+TEST(Build_oriented_arrays, returns_nothing_if_an_edge_is_not_oriented_or_not_manifold)
+{
+  for(const Index degree : {5, 100})
+    for(const bool is_closed : {false, true})
+    {
+      const Triangulation surface = fan(degree, is_closed);
+      const auto is_refused = [&](std::vector<Index> corners)
+      {
+        auto points = surface.points;
+        points.push_back({0., 0., -1.});
+        Ring_counts counts;
+        return !build_oriented_arrays(points, corners, counts) &&
+               !build_oriented_arrays(points, corners, counts, 2);
+      };
+      EXPECT_FALSE(is_refused(surface.corners));
+      std::vector<Index> reversed = surface.corners;
+      std::swap(reversed[3], reversed[4]);
+      EXPECT_TRUE(is_refused(reversed));
+      std::vector<Index> duplicate = surface.corners;
+      duplicate.insert(duplicate.end(), {0, 1, 2});
+      EXPECT_TRUE(is_refused(duplicate));
+      std::vector<Index> third_triangle = surface.corners;
+      third_triangle.insert(third_triangle.end(), {0, 3, degree + 1});
+      EXPECT_TRUE(is_refused(third_triangle));
+      // Two boundary halfedges of the same direction.
+      std::vector<Index> second_triangle = surface.corners;
+      second_triangle.insert(second_triangle.end(), {1, 2, degree + 1});
+      EXPECT_TRUE(is_refused(second_triangle));
+    }
 }
 
 } // namespace mesh_arrays_test

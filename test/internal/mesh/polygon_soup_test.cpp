@@ -231,6 +231,94 @@ TEST(Repair_soup, of_random_polygons_satisfies_invariants)
   }
 }
 
+// The arrays of a soup that needs no repair are built in another way than those of other soups.
+TEST(Build_soup_arrays, has_the_twins_of_repaired_soup)
+{
+  std::mt19937 random(7);
+  const auto random_below = [&](Index n) { return static_cast<Index>(random() % n); };
+  std::size_t number_of_clean_soups = 0;
+  for(int repetition = 0; repetition < 400; ++repetition)
+  {
+    // A grid of triangles with a few changes.
+    constexpr Index size = 6;
+    std::vector<Vec3> points;
+    std::vector<std::vector<Index>> polygons;
+    for(Index i = 0; i < size * size; ++i)
+      points.push_back({double(i % size), double(i / size), 0.1 * random_below(10)});
+    for(Index i = 0; i + 1 < size; ++i)
+      for(Index j = 0; j + 1 < size; ++j)
+      {
+        const Index a = i * size + j, b = a + 1, c = a + size, d = c + 1;
+        polygons.insert(polygons.end(), {{a, b, d}, {a, d, c}});
+      }
+    std::shuffle(polygons.begin(), polygons.end(), random);
+    for(int change = repetition % 4; change > 0; --change)
+    {
+      auto& polygon = polygons[random_below(Index(polygons.size()))];
+      switch(random_below(5))
+      {
+      case 0:
+        polygon.clear();
+        break;
+      case 1:
+        std::reverse(polygon.begin(), polygon.end());
+        break;
+      case 2:
+        polygons.push_back(polygon);
+        break;
+      case 3:
+        polygons.push_back({random_below(36), random_below(36), random_below(36)});
+        break;
+      default:
+        points[random_below(36)] = points[random_below(36)];
+      }
+    }
+    Soup_options options;
+    if(repetition % 3 == 0)
+      options.merge_tolerance = 0.;
+    const Polygon_soup input = soup(points, polygons);
+    const Repaired_soup repaired = repair_soup(input, options);
+    for(const unsigned number_of_threads : {1u, 2u, 5u})
+    {
+      options.number_of_threads = number_of_threads;
+      const Soup_arrays arrays = build_soup_arrays(input, options);
+      EXPECT_EQ(arrays.replacement, repaired.replacement);
+      const auto& mesh = arrays.mesh;
+      ASSERT_EQ(mesh.arrays.corner.size(), repaired.corners.size());
+      std::vector<Index> point_of_vertex;
+      for(Index i = 0; i < points.size(); ++i)
+        if(repaired.replacement.empty() || repaired.replacement[i] == i)
+          point_of_vertex.push_back(i);
+      ASSERT_EQ(mesh.caller_vertex.size(), point_of_vertex.size());
+      for(Index h = 0; h < repaired.corners.size(); ++h)
+      {
+        const Index sorted = 3 * mesh.triangle_of_face[h / 3] + h % 3,
+                    twin = mesh.arrays.twin[sorted];
+        EXPECT_EQ(point_of_vertex[mesh.caller_vertex[mesh.arrays.corner[sorted]]],
+                  repaired.corners[h]);
+        EXPECT_EQ(twin == none ? none : 3 * mesh.face_of_triangle[twin / 3] + twin % 3,
+                  repaired.twins[h]);
+      }
+      for(Index f = 0; f < repaired.polygon.size(); ++f)
+        EXPECT_EQ(arrays.polygon.empty() ? f : arrays.polygon[f], repaired.polygon[f]);
+      const auto &report = arrays.report, &expected = repaired.report;
+      EXPECT_EQ(report.number_of_merged_points, expected.number_of_merged_points);
+      EXPECT_EQ(report.number_of_degenerate_faces, expected.number_of_degenerate_faces);
+      EXPECT_EQ(report.number_of_duplicate_triangles, expected.number_of_duplicate_triangles);
+      EXPECT_EQ(report.number_of_reversed_triangles, expected.number_of_reversed_triangles);
+      EXPECT_EQ(report.number_of_split_edges, expected.number_of_split_edges);
+      EXPECT_EQ(report.number_of_nonmanifold_points, expected.number_of_nonmanifold_points);
+      EXPECT_EQ(report.number_of_components, expected.number_of_components);
+      EXPECT_EQ(report.number_of_boundary_cycles, expected.number_of_boundary_cycles);
+      EXPECT_EQ(report.genus, expected.genus);
+      EXPECT_EQ(report.number_of_triangles_without_area, mesh.number_of_degenerate_triangles);
+      number_of_clean_soups += arrays.report.is_changed() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(number_of_clean_soups, 100u);
+  EXPECT_LT(number_of_clean_soups, 1000u);
+}
+
 TEST(Repair_soup, rejects_invalid_input)
 {
   const double nan = std::nan("");

@@ -54,9 +54,13 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame);
 
 // Returns the indices of the points in Morton order; points in the same cell are in the order of
-// their indices. Coordinates must be in [-2, 2]. O(n) by radix sort.
+// their indices. Cells divide the cube [-2, 2]^3 of the scaled coordinates; points outside of it are
+// in the closest cells. O(n) by radix sort.
+//
+// frame  of the scaled coordinates; if it is the default, those of the caller are scaled
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points);
+std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points,
+                                const Frame& frame = Frame());
 
 } // namespace CGAL::Geodesic_processing::internal
 

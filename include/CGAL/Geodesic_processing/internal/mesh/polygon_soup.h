@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/Soup_report.h>
 #include <CGAL/Geodesic_processing/internal/core/Index.h>
 #include <CGAL/Geodesic_processing/internal/core/export.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 
 #include <array>
 #include <cstddef>
@@ -27,6 +28,7 @@ struct Soup_options
   // Points within this distance, which is at least zero, are merged. If empty, none is.
   std::optional<double> merge_tolerance;
   bool do_remove_degenerate_faces = false;
+  unsigned number_of_threads = 1; // the result does not depend on it
 };
 
 // A soup after repair: oriented triangles whose halfedges are paired.
@@ -50,6 +52,23 @@ struct Repaired_soup
 // O(n) for n triangles; O(k^2) for a polygon of k corners.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Repaired_soup repair_soup(const Polygon_soup& soup, const Soup_options& options);
+
+// The arrays of the surface of a soup.
+struct Soup_arrays
+{
+  // Vertices are the points that have not been replaced, faces are the triangles. The indices of the
+  // caller count only these points.
+  Mesh_arrays mesh;
+  // #triangles: see Repaired_soup; empty if all polygons are triangles and none was removed
+  std::vector<Index> polygon;
+  std::vector<Index> replacement; // see Repaired_soup
+  Soup_report report;
+};
+
+// Returns build_mesh_arrays() of repair_soup(). If the triangles need no repair, the twins are found
+// in the sorted triangles, which takes half of the time. Throws the exceptions of both. O(n).
+CGAL_GEODESIC_PROCESSING_EXPORT
+Soup_arrays build_soup_arrays(Polygon_soup soup, const Soup_options& options);
 
 } // namespace CGAL::Geodesic_processing::internal
 
