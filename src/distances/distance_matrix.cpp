@@ -47,7 +47,9 @@ Eigen::MatrixXd distance_matrix(const Row_engine& engine, double scale,
               scale * (to[column].triangle == none ? row_engine.distance(to[column].vertex)
                                                    : row_engine.distance(to[column]));
       });
-  return is_complete ? result : Eigen::MatrixXd();
+  if(!is_complete)
+    return {};
+  return result;
 }
 
 Eigen::SparseMatrix<double, Eigen::RowMajor>
