@@ -37,7 +37,8 @@ struct Write_geodesic_distance_matrix : testing::Test
   std::filesystem::path folder = std::filesystem::temp_directory_path() /
                                  (std::string("write_matrix_") +
                                   testing::UnitTest::GetInstance()->current_test_info()->name());
-  std::string path = (folder / "m.npy").string(), record = path + ".tiles";
+  std::string path = (folder / "m.npy").string(), record = path + ".tiles",
+              unfinished = path + ".unfinished";
   Triangulation plane = square(8, 0.24);
   Mesh mesh = mesh_of(plane);
   std::vector<Vertex> vertices{mesh.vertices().begin(), mesh.vertices().end()};
@@ -197,14 +198,26 @@ TEST_F(Write_geodesic_distance_matrix, continues_after_kill)
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(WTERMSIG(status), SIGKILL);
   ASSERT_TRUE(std::filesystem::exists(record));
-  EXPECT_NE(bytes(path), bytes(path + ".expected"));
+  EXPECT_FALSE(std::filesystem::exists(path)); // because it is not complete
+  EXPECT_EQ(bytes(unfinished).size(), bytes(path + ".expected").size());
+  EXPECT_NE(bytes(unfinished), bytes(path + ".expected"));
+  EXPECT_THROW(GP::merge_distance_matrices(std::vector<std::string>{path}, path + ".merged"),
+               GP::File_error);
 
-  // Other arguments do not continue it.
+  // Another surface or other arguments do not continue it.
+  const Mesh other_mesh = mesh_of(square(8, 0.25));
+  EXPECT_THROW(
+      GP::write_geodesic_distance_matrix<GP::Fast_marching>(other_mesh, vertices, path, four_rows),
+      GP::File_error);
   EXPECT_THROW(GP::write_geodesic_distance_matrix<GP::Dijkstra>(mesh, vertices, path, four_rows),
                GP::File_error);
   EXPECT_THROW((GP::write_geodesic_distance_matrix<GP::Fast_marching, CGAL::Sequential_tag, float>(
                    mesh, vertices, path, four_rows)),
                GP::File_error);
+  EXPECT_THROW(
+      GP::write_geodesic_distance_matrix<GP::Fast_marching>(
+          mesh, vertices, path, four_rows.region_map(CGAL::Constant_property_map<Vertex, int>(0))),
+      GP::File_error);
 
   double first_fraction = 2.;
   const std::function<bool(double)> callback = [&](double fraction)
@@ -217,6 +230,44 @@ TEST_F(Write_geodesic_distance_matrix, continues_after_kill)
   EXPECT_GT(first_fraction, 0.5);
   EXPECT_EQ(bytes(path), bytes(path + ".expected"));
   EXPECT_FALSE(std::filesystem::exists(record));
+  EXPECT_FALSE(std::filesystem::exists(unfinished));
+}
+
+TEST_F(Write_geodesic_distance_matrix, rejects_second_writer)
+{
+  bool is_rejected = false;
+  const std::function<bool(double)> write_again = [&](double)
+  {
+    EXPECT_THROW(GP::write_geodesic_distance_matrix<GP::Dijkstra>(mesh, vertices, path),
+                 GP::File_error);
+    is_rejected = true;
+    return true;
+  };
+  GP::write_geodesic_distance_matrix<GP::Dijkstra>(mesh, vertices, path,
+                                                   GP::parameters::callback(write_again));
+  EXPECT_TRUE(is_rejected);
+  EXPECT_EQ(matrix(Eigen::Index(vertices.size()), Eigen::Index(vertices.size())),
+            GP::geodesic_distance_matrix<GP::Dijkstra>(mesh, vertices));
+}
+
+// The largest number of 32 bits is about 3.4e38.
+TEST_F(Write_geodesic_distance_matrix, rejects_distances_too_large_for_float)
+{
+  for(Point& p : plane.points)
+    for(double& x : p)
+      x *= 1e39;
+  const Mesh large = mesh_of(plane);
+  const std::vector<Vertex> one = {vertices[0]};
+  EXPECT_THROW((GP::write_geodesic_distance_matrix<GP::Exact, CGAL::Sequential_tag, float>(
+                   large, vertices, path)),
+               GP::Invalid_argument_error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  GP::write_geodesic_distance_matrix<GP::Exact>(large, vertices, path);
+  EXPECT_GT(matrix(Eigen::Index(vertices.size()), Eigen::Index(vertices.size())).maxCoeff(), 1e39);
+  // Infinity has its own number.
+  GP::write_geodesic_distance_matrix<GP::Exact, CGAL::Sequential_tag, float>(
+      large, one, path, GP::parameters::maximum_distance(0.).targets(vertices));
+  EXPECT_EQ(matrix<float>(1, Eigen::Index(vertices.size())).maxCoeff(), infinity);
 }
 
 TEST_F(Write_geodesic_distance_matrix, continues_after_cancellation)
@@ -237,6 +288,7 @@ TEST_F(Write_geodesic_distance_matrix, parts_are_merged)
   GP::write_geodesic_distance_matrix(mesh, vertices, path + ".expected");
   std::vector<std::string> parts;
   const std::size_t n = vertices.size();
+  const auto merge = [&] { GP::merge_distance_matrices(parts, path); };
   for(const std::pair<std::size_t, std::size_t>& rows :
       {std::pair(std::size_t(0), n / 3), std::pair(n / 3, n - 1), std::pair(n - 1, n)})
   {
@@ -244,8 +296,14 @@ TEST_F(Write_geodesic_distance_matrix, parts_are_merged)
     GP::write_geodesic_distance_matrix(mesh, vertices, parts.back(),
                                        GP::parameters::row_range(rows));
   }
-  GP::merge_distance_matrices(parts, path);
+  std::reverse(parts.begin(), parts.end());
+  merge();
   EXPECT_EQ(bytes(path), bytes(path + ".expected"));
+  GP::write_geodesic_distance_matrix(mesh_of(square(8, 0.25)), vertices, parts[0],
+                                     GP::parameters::row_range(std::pair(n - 1, n)));
+  EXPECT_THROW(merge(), GP::File_error); // because it is of another surface
+  parts.erase(parts.begin());
+  EXPECT_THROW(merge(), GP::File_error); // because the last row is missing
   EXPECT_THROW(GP::write_geodesic_distance_matrix(
                    mesh, vertices, path,
                    GP::parameters::row_range(std::pair<std::size_t, std::size_t>(2, n + 1))),

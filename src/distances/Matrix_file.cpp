@@ -2,21 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/distances/Matrix_file.h>
 
-#include <CGAL/Geodesic_processing/exceptions.h>
+#include "distances/File_descriptor.h"
+#include "distances/Matrix_record.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -24,18 +21,12 @@ namespace {
 
 constexpr char magic[] = "\x93NUMPY\x01"; // and a zero: version 1.0
 constexpr std::size_t magic_size = 8, length_size = 2, header_alignment = 64;
+constexpr std::string_view unfinished_suffix = ".unfinished", record_suffix = ".tiles";
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason)
+std::string with_suffix(const std::string& path, std::string_view suffix)
 {
-  throw File_error(path + ": " + reason + ".");
+  return path + std::string(suffix);
 }
-
-[[noreturn]] void fail_by_system(const std::string& path, const std::string& what)
-{
-  fail(path, what + " (" + std::generic_category().message(errno) + ")");
-}
-
-std::string record_path(const std::string& path) { return path + ".tiles"; }
 
 bool is_little_endian()
 {
@@ -51,12 +42,26 @@ std::string number_name(Number_format format)
          (format == Number_format::float32 ? "f4" : "f8");
 }
 
+// Returns a range of rows as a sentence names it.
+std::string rows_text(std::size_t begin, std::size_t end)
+{
+  return std::to_string(begin) + ':' + std::to_string(end);
+}
+
 // Returns the header of a .npy file, whose size is a multiple of 64 bytes.
-std::string header_of(const Matrix_layout& layout)
+std::string header_of(const Matrix_layout& layout, const Matrix_key& key)
 {
   std::string text = "{'descr': '" + number_name(layout.format) +
                      "', 'fortran_order': False, 'shape': (" + std::to_string(layout.rows) + ", " +
                      std::to_string(layout.columns) + "), }";
+  if(layout.is_part())
+  {
+    char keys[80];
+    std::snprintf(keys, sizeof keys, ", surface %016" PRIx64 ", arguments %016" PRIx64, key.surface,
+                  key.arguments);
+    text += " # from row " + std::to_string(layout.first_row) + " of " +
+            std::to_string(layout.total_rows) + keys;
+  }
   const std::size_t unpadded_size = magic_size + length_size + text.size() + 1;
   text.append((header_alignment - unpadded_size % header_alignment) % header_alignment, ' ');
   text += '\n';
@@ -66,262 +71,302 @@ std::string header_of(const Matrix_layout& layout)
   return result + text;
 }
 
-// Reads a header as this package writes it. Returns its size.
-std::size_t read_header(std::ifstream& file, const std::string& path, Matrix_layout& layout)
+struct Matrix_header
+{
+  Matrix_layout layout;
+  Matrix_key key; // zero if the file has all rows
+  std::size_t size = 0;
+};
+
+// Reads a header as this package writes it.
+Matrix_header read_header(std::ifstream& file, const std::string& path)
 {
   std::string begin(magic_size + length_size, '\0');
   file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   if(!file || begin.compare(0, magic_size, std::string(magic, magic_size)) != 0)
-    fail(path, "it is not a .npy file of version 1.0");
+    throw_file_error(path, "it is not a .npy file of version 1.0");
   const std::size_t length = static_cast<unsigned char>(begin[magic_size]) +
                              256 * std::size_t{static_cast<unsigned char>(begin[magic_size + 1])};
   std::string text(length, '\0');
   file.read(text.data(), static_cast<std::streamsize>(length));
   char descr[4] = "";
-  std::size_t rows = 0, columns = 0;
-  if(!file ||
-     std::sscanf(text.c_str(), "{'descr': '%3s', 'fortran_order': False, 'shape': (%zu, %zu), }",
-                 descr, &rows, &columns) != 3)
-    fail(path, "its header is not that of a matrix of this package");
-  layout.rows = rows;
-  layout.columns = columns;
+  Matrix_header result;
+  Matrix_layout& layout = result.layout;
+  const int count =
+      std::sscanf(text.c_str(),
+                  "{'descr': '%3s', 'fortran_order': False, 'shape': (%zu, %zu), } # from row %zu "
+                  "of %zu, surface %" SCNx64 ", arguments %" SCNx64,
+                  descr, &layout.rows, &layout.columns, &layout.first_row, &layout.total_rows,
+                  &result.key.surface, &result.key.arguments);
+  if(!file || (count != 3 && count != 7))
+    throw_file_error(path, "its header is not that of a matrix of this package");
+  if(count == 3)
+    layout.total_rows = layout.rows;
   layout.format = descr == number_name(Number_format::float32) ? Number_format::float32
                                                                : Number_format::float64;
   if(descr != number_name(layout.format))
-    fail(path, "its numbers are not floating-point numbers of this machine");
-  return begin.size() + length;
+    throw_file_error(path, "its numbers are not floating-point numbers of this machine");
+  result.size = begin.size() + length;
+  return result;
 }
 
-void write_all(int file, const char* bytes, std::size_t size, std::size_t position,
-               const std::string& path)
+// Throws if finishing a file of this name would fail after a long computation.
+void check_name(const std::string& path)
 {
-  while(size > 0)
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if(std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw_file_error(path, "it exists and is not a regular file");
+}
+
+// Creates the unfinished file of a matrix with a header and space for the rows. A file of this name
+// that is no matrix is not replaced.
+std::unique_ptr<File_descriptor> create_unfinished(const std::string& path,
+                                                   const std::string& header, std::size_t size)
+{
+  const std::string name = with_suffix(path, unfinished_suffix);
+  std::unique_ptr<File_descriptor> file = std::make_unique<File_descriptor>(name, O_CREAT);
+  const std::string begin = file->read(magic_size, 0);
+  if(!begin.empty() && begin != std::string(magic, magic_size))
+    throw_file_error(name, "it exists and is not a .npy file");
+  try
   {
-    const ssize_t written = ::pwrite(file, bytes, size, static_cast<off_t>(position));
-    if(written < 0 && errno == EINTR)
-      continue;
-    if(written <= 0)
-      fail_by_system(path, "it cannot be written");
-    bytes += written;
-    size -= static_cast<std::size_t>(written);
-    position += static_cast<std::size_t>(written);
+    file->resize(0); // frees its space
+    file->reserve(size);
+    file->write(header.data(), header.size(), 0);
+    file->synchronize();
   }
-}
-
-void synchronize(int file, const std::string& path)
-{
-  if(::fsync(file) != 0)
-    fail_by_system(path, "it cannot be synchronized with the disk");
-}
-
-int open_file(const std::string& path, int flags)
-{
-  const int file = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
-  if(file < 0)
-    fail_by_system(path, "it cannot be opened for writing");
+  catch(...)
+  {
+    remove_file(name);
+    throw;
+  }
   return file;
 }
 
-// Fails with a sentence before a long computation if a file of this size does not fit.
-void check_space(const std::string& path, std::size_t size)
+// Returns the file to which symbolic links lead, even if it does not exist, so that renaming a file
+// keeps the links.
+std::string resolve_links(const std::string& path)
 {
+  constexpr int max_number_of_links = 40; // as Linux
+  std::filesystem::path result = path;
   std::error_code error;
-  std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
-  const std::filesystem::space_info space = std::filesystem::space(folder, error);
-  if(!error && space.available < size)
-    fail(path, "it needs " + std::to_string(size) + " bytes, but the disk has only " +
-                   std::to_string(space.available));
-}
-
-void reserve(int file, std::size_t size, const std::string& path)
-{
-  if(const int error =
-         ::posix_fallocate(file, 0, static_cast<off_t>(std::max<std::size_t>(size, 1)));
-     error != 0)
-  {
-    errno = error;
-    fail_by_system(path, "the disk has no space for " + std::to_string(size) + " bytes");
-  }
+  for(int i = 0; i < max_number_of_links && std::filesystem::is_symlink(result, error); ++i)
+    result = result.parent_path() / std::filesystem::read_symlink(result, error);
+  return result.string();
 }
 
 } // namespace
 
 Matrix_file::Matrix_file(const std::string& path, const Matrix_layout& layout,
-                         std::size_t tile_size, std::uint64_t key)
-    : m_path(path), m_layout(layout),
-      m_rows_per_tile(
-          std::max<std::size_t>(1, tile_size / std::max<std::size_t>(1, layout.row_size())))
+                         std::size_t tile_size, const Matrix_key& key)
+    : m_path(resolve_links(path)), m_layout(layout)
 {
-  m_header_size = header_of(layout).size();
-  try
+  check_name(m_path);
+  const std::string header = header_of(layout, key);
+  m_header_size = header.size();
+  m_record = std::make_unique<Matrix_record>(with_suffix(m_path, record_suffix));
+  Recorded_tiles tiles;
+  if(m_record->read(layout, key, tiles))
   {
-    if(!read_record(key))
-      create(key);
+    m_rows_per_tile = tiles.rows_per_tile;
+    m_is_finished = std::move(tiles.is_finished);
+    open(header.size() + layout.rows * layout.row_size());
   }
-  catch(...)
-  {
-    if(m_file >= 0)
-      ::close(m_file);
-    if(m_record >= 0)
-      ::close(m_record);
-    throw;
-  }
+  else
+    create(header, tile_size, key);
 }
 
-Matrix_file::~Matrix_file()
-{
-  ::close(m_file);
-  if(m_record >= 0)
-    ::close(m_record);
-}
+Matrix_file::~Matrix_file() = default;
 
 std::size_t Matrix_file::end_row(std::size_t tile) const
 {
   return std::min(m_layout.rows, first_row(tile) + m_rows_per_tile);
 }
 
-void Matrix_file::create(std::uint64_t key)
+void Matrix_file::create(const std::string& header, std::size_t tile_size, const Matrix_key& key)
 {
-  const std::string header = header_of(m_layout);
-  const std::size_t size = header.size() + m_layout.rows * m_layout.row_size();
+  const std::size_t row_size = std::max<std::size_t>(1, m_layout.row_size());
+  m_rows_per_tile = std::clamp<std::size_t>(tile_size / row_size, 1, max_rows_per_tile);
   m_is_finished.assign((m_layout.rows + m_rows_per_tile - 1) / m_rows_per_tile, false);
-  std::error_code error;
-  if(std::filesystem::is_regular_file(m_path, error))
-    std::filesystem::remove(m_path, error); // frees its space
-  check_space(m_path, size);
-  m_file = open_file(m_path, O_RDWR | O_CREAT | O_TRUNC);
-  reserve(m_file, size, m_path);
-  write_all(m_file, header.data(), header.size(), 0, m_path);
-  synchronize(m_file, m_path);
-
-  char line[80];
-  std::snprintf(line, sizeof line, "tiles %016" PRIx64 " %zu\n", key, m_rows_per_tile);
-  m_record = open_file(record_path(m_path), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND);
-  write_all(m_record, line, std::strlen(line), 0, record_path(m_path));
-  synchronize(m_record, record_path(m_path));
+  try
+  {
+    m_file = create_unfinished(m_path, header, header.size() + m_layout.rows * m_layout.row_size());
+    m_record->begin(m_layout, key, m_rows_per_tile);
+  }
+  catch(...)
+  {
+    if(m_file)
+      remove_file(m_file->path());
+    m_record->remove();
+    throw;
+  }
 }
 
-bool Matrix_file::read_record(std::uint64_t key)
+void Matrix_file::open(std::size_t size)
 {
-  std::ifstream record(record_path(m_path), std::ios::binary);
-  if(!record)
-    return false;
-  std::stringstream content;
-  content << record.rdbuf();
-  std::string text = content.str();
-  text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
-  std::istringstream lines(text);
-  std::string line;
-  std::uint64_t recorded_key = 0;
-  std::size_t rows_per_tile = 0;
-  // Without a complete first line, no tile is finished.
-  if(!std::getline(lines, line))
-    return false;
-  if(std::sscanf(line.c_str(), "tiles %" SCNx64 " %zu", &recorded_key, &rows_per_tile) != 2 ||
-     rows_per_tile == 0)
-    fail(record_path(m_path), "it is not a record of finished tiles");
-  if(recorded_key != key)
-    fail(record_path(m_path),
-         "it belongs to another computation. Remove it and " + m_path + " to begin anew");
-  std::error_code error;
-  if(std::filesystem::file_size(m_path, error) !=
-         m_header_size + m_layout.rows * m_layout.row_size() ||
-     error)
-    fail(m_path, "its size is not that of its record. Remove both to begin anew");
-
-  m_rows_per_tile = rows_per_tile;
-  m_is_finished.assign((m_layout.rows + m_rows_per_tile - 1) / m_rows_per_tile, false);
-  while(std::getline(lines, line))
+  const std::string name = with_suffix(m_path, unfinished_suffix);
+  const auto has_size = [size](const std::string& file)
   {
-    std::size_t tile = 0;
-    if(std::sscanf(line.c_str(), "%zu", &tile) != 1 || tile >= number_of_tiles())
-      fail(record_path(m_path), "'" + line.substr(0, 30) + "' is not a tile");
-    m_is_finished[tile] = true;
-  }
-  m_file = open_file(m_path, O_RDWR);
-  m_record = open_file(record_path(m_path), O_WRONLY | O_APPEND);
-  // Removes a line without an end, so that the next one begins on a new line.
-  if(::ftruncate(m_record, static_cast<off_t>(text.size())) != 0)
-    fail_by_system(record_path(m_path), "it cannot be written");
-  return true;
+    std::error_code error;
+    return std::filesystem::file_size(file, error) == size && !error;
+  };
+  // The computation was interrupted after the file was renamed.
+  std::error_code error;
+  if(!std::filesystem::exists(name, error) && has_size(m_path) &&
+     std::find(m_is_finished.begin(), m_is_finished.end(), false) == m_is_finished.end())
+    return;
+  if(!has_size(name))
+    throw_file_error(name, "its size is not that of its record. Remove " +
+                               with_suffix(m_path, record_suffix) + " to begin anew");
+  m_file = std::make_unique<File_descriptor>(name);
 }
 
 void Matrix_file::write(std::size_t tile, const std::vector<char>& rows)
 {
-  write_all(m_file, rows.data(), rows.size(), m_header_size + first_row(tile) * m_layout.row_size(),
-            m_path);
-  synchronize(m_file, m_path);
-  const std::string line = std::to_string(tile) + '\n';
-  // The record is opened for appending, for which the position has no effect.
-  write_all(m_record, line.data(), line.size(), 0, record_path(m_path));
-  synchronize(m_record, record_path(m_path));
+  m_file->write(rows.data(), rows.size(), m_header_size + first_row(tile) * m_layout.row_size());
+  m_file->synchronize();
+  m_record->add(tile);
   m_is_finished[tile] = true;
 }
 
 void Matrix_file::finish()
 {
-  std::error_code error;
-  std::filesystem::remove(record_path(m_path), error);
-  if(error)
-    fail(record_path(m_path), "it cannot be removed (" + error.message() + ")");
+  if(m_file)
+    rename_file(m_file->path(), m_path);
+  m_file.reset();
+  m_record->remove();
 }
+
+void Matrix_file::discard()
+{
+  if(m_file)
+    remove_file(m_file->path());
+  m_file.reset();
+  m_record->remove();
+}
+
+namespace {
+
+struct Matrix_part
+{
+  std::string path;
+  Matrix_header header;
+
+  std::size_t first_row() const { return header.layout.first_row; }
+  std::size_t end_row() const { return header.layout.first_row + header.layout.rows; }
+};
+
+Matrix_part read_part(const std::string& path)
+{
+  std::error_code error;
+  const bool has_unfinished_name = path.size() >= unfinished_suffix.size() &&
+                                   path.compare(path.size() - unfinished_suffix.size(),
+                                                std::string::npos, unfinished_suffix) == 0;
+  if(has_unfinished_name || (!std::filesystem::exists(path, error) &&
+                             std::filesystem::exists(with_suffix(path, unfinished_suffix), error)))
+    throw_file_error(path, "it is not complete");
+  std::ifstream file(path, std::ios::binary);
+  if(!file)
+    throw_file_error(path, "it cannot be opened for reading");
+  const Matrix_header header = read_header(file, path);
+  const Matrix_layout& layout = header.layout;
+  if(std::filesystem::file_size(path, error) != header.size + layout.rows * layout.row_size())
+    throw_file_error(path, "its size is not that of its header");
+  return {path, header};
+}
+
+// Throws if two files are not parts of the same matrix.
+void check_same_matrix(const Matrix_part& part, const Matrix_part& first)
+{
+  const Matrix_layout &a = part.header.layout, &b = first.header.layout;
+  if(!a.is_part() || !b.is_part())
+    throw_file_error((a.is_part() ? first : part).path, "it has all rows and is not a part");
+  if(a.columns != b.columns || a.format != b.format)
+    throw_file_error(part.path, "it has other columns or numbers than " + first.path);
+  if(part.header.key.surface != first.header.key.surface)
+    throw_file_error(part.path, "it belongs to another surface than " + first.path);
+  if(a.total_rows != b.total_rows || part.header.key.arguments != first.header.key.arguments)
+    throw_file_error(part.path, "it belongs to other arguments than " + first.path);
+}
+
+// Throws if parts in the order of their rows do not have each row exactly once.
+void check_rows(const std::vector<Matrix_part>& parts, const std::string& merged)
+{
+  const auto check_gap = [&](std::size_t begin, std::size_t end)
+  {
+    if(begin < end)
+      throw_file_error(merged, "the rows " + rows_text(begin, end) + " are in no part");
+  };
+  const Matrix_part* last = nullptr; // the part with the previous row
+  for(const Matrix_part& part : parts)
+  {
+    const std::size_t end = last ? last->end_row() : 0;
+    if(part.first_row() < end && part.first_row() < part.end_row())
+      throw_file_error(merged, "the rows " +
+                                   rows_text(part.first_row(), std::min(end, part.end_row())) +
+                                   " are both in " + last->path + " and in " + part.path);
+    check_gap(end, part.first_row());
+    if(!last || part.end_row() > end)
+      last = &part;
+  }
+  check_gap(last->end_row(), parts[0].header.layout.total_rows);
+}
+
+// Reads the rows of a part that are in a range of rows of the whole matrix. `rows` begins with the
+// row `begin`.
+void read_rows(const Matrix_part& part, std::size_t begin, std::size_t end, std::vector<char>& rows)
+{
+  const std::size_t first = std::max(begin, part.first_row()), last = std::min(end, part.end_row()),
+                    row_size = part.header.layout.row_size();
+  if(first >= last)
+    return;
+  std::ifstream file(part.path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(part.header.size + (first - part.first_row()) * row_size));
+  if(!file.read(rows.data() + (first - begin) * row_size,
+                static_cast<std::streamsize>((last - first) * row_size)))
+    throw_file_error(part.path, "it cannot be read");
+}
+
+} // namespace
 
 void merge_matrix_files(const std::vector<std::string>& paths, const std::string& merged)
 {
-  Matrix_layout layout;
-  for(std::size_t i = 0; i < paths.size(); ++i)
+  const std::string output = resolve_links(merged);
+  if(paths.empty())
+    throw_file_error(output, "there are no parts");
+  check_name(output);
+  std::vector<Matrix_part> parts;
+  for(const std::string& path : paths)
   {
     std::error_code error;
-    if(std::filesystem::equivalent(paths[i], merged, error))
-      fail(merged, "it is one of the files to be merged");
-    if(std::filesystem::exists(record_path(paths[i]), error))
-      fail(paths[i], "it is not complete, because it has a record of finished tiles");
-    std::ifstream file(paths[i], std::ios::binary);
-    if(!file)
-      fail(paths[i], "it cannot be opened for reading");
-    Matrix_layout part;
-    const std::size_t header_size = read_header(file, paths[i], part);
-    if(std::filesystem::file_size(paths[i], error) != header_size + part.rows * part.row_size())
-      fail(paths[i], "its size is not that of its header");
-    if(i > 0 && (part.columns != layout.columns || part.format != layout.format))
-      fail(paths[i], "it has other columns or numbers than " + paths[0]);
-    const std::size_t rows = layout.rows + part.rows;
-    layout = part;
-    layout.rows = rows;
+    if(std::filesystem::equivalent(path, output, error))
+      throw_file_error(output, "it is one of the parts");
+    parts.push_back(read_part(path));
+    if(parts.size() > 1)
+      check_same_matrix(parts.back(), parts[0]);
   }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Matrix_part& a, const Matrix_part& b)
+                   { return a.first_row() < b.first_row(); });
+  check_rows(parts, output);
 
-  const std::string header = header_of(layout);
-  check_space(merged, header.size() + layout.rows * layout.row_size());
-  const int output = open_file(merged, O_WRONLY | O_CREAT | O_TRUNC);
-  try
-  {
-    write_all(output, header.data(), header.size(), 0, merged);
-    std::size_t position = header.size();
-    std::vector<char> block(std::size_t{1} << 20);
-    for(const std::string& path : paths)
+  Matrix_layout layout = parts[0].header.layout;
+  layout.first_row = 0;
+  layout.rows = layout.total_rows;
+  constexpr std::size_t tile_size = std::size_t{1} << 26;
+  Matrix_file file(output, layout, tile_size, parts[0].header.key);
+  std::vector<char> rows;
+  for(std::size_t tile = 0; tile < file.number_of_tiles(); ++tile)
+    if(!file.is_finished(tile))
     {
-      std::ifstream file(path, std::ios::binary);
-      Matrix_layout part;
-      read_header(file, path, part);
-      for(std::size_t rest = part.rows * part.row_size(); rest > 0;)
-      {
-        const std::size_t size = std::min(rest, block.size());
-        if(!file.read(block.data(), static_cast<std::streamsize>(size)))
-          fail(path, "it cannot be read");
-        write_all(output, block.data(), size, position, merged);
-        position += size;
-        rest -= size;
-      }
+      const std::size_t begin = file.first_row(tile), end = file.end_row(tile);
+      rows.resize((end - begin) * layout.row_size());
+      for(const Matrix_part& part : parts)
+        read_rows(part, begin, end, rows);
+      file.write(tile, rows);
     }
-    synchronize(output, merged);
-  }
-  catch(...)
-  {
-    ::close(output);
-    throw;
-  }
-  if(::close(output) != 0)
-    fail_by_system(merged, "it cannot be written");
+  file.finish();
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -99,7 +99,7 @@ sparse_distance_matrix(const Row_engine& engine, double scale,
 namespace {
 
 // A hash of a sequence of numbers (Fowler, Noll and Vo, with words instead of bytes).
-class Key
+class Hash
 {
 public:
   void add(std::uint64_t word)
@@ -187,6 +187,9 @@ private:
       std::memcpy(out + column * sizeof value, &value, sizeof value);
     else
     {
+      if(value > double((std::numeric_limits<float>::max)()) && value < infinity)
+        throw Invalid_argument_error("A distance is too large for numbers of 32 bits. Write "
+                                     "numbers of 64 bits.");
       const float single = static_cast<float>(value);
       std::memcpy(out + column * sizeof single, &single, sizeof single);
     }
@@ -199,42 +202,42 @@ private:
 
 } // namespace
 
-std::uint64_t matrix_key(const Surface_arrays& triangles, Distance_method method,
-                         std::optional<double> heat_time_step, const Matrix_job& job,
-                         const Front_limits& limits, const Matrix_layout& layout)
+Matrix_key matrix_key(const Surface_arrays& triangles, Distance_method method,
+                      std::optional<double> heat_time_step, const Matrix_job& job,
+                      const Front_limits& limits)
 {
-  Key key;
-  key.add(triangles.corner);
-  key.add(triangles.length);
-  key.add(triangles.scale);
-  key.add(triangles.point);
-  key.add(triangles.graph.target);
-  key.add(std::uint64_t(method));
-  key.add(heat_time_step.value_or(-1.));
-  for(std::size_t row = job.first_row; row < job.first_row + layout.rows; ++row)
+  Hash surface;
+  surface.add(triangles.corner);
+  surface.add(triangles.length);
+  surface.add(triangles.scale);
+  surface.add(triangles.point);
+  surface.add(triangles.graph.target);
+
+  Hash arguments;
+  arguments.add(std::uint64_t(method));
+  arguments.add(heat_time_step.value_or(-1.));
+  for(const Front_source& source : job.from)
   {
-    key.add(job.from[row].polyline);
-    key.add(job.from[row].offset);
+    arguments.add(source.polyline);
+    arguments.add(source.offset);
   }
-  key.add(job.to);
+  arguments.add(job.to);
   if(job.regions)
   {
-    key.add(job.regions->region);
-    key.add(std::uint64_t(job.regions->do_average));
+    arguments.add(job.regions->region);
+    arguments.add(std::uint64_t(job.regions->do_average));
   }
-  key.add(limits.maximum_distance);
-  key.add(limits.relative_tolerance);
+  arguments.add(limits.maximum_distance);
+  arguments.add(limits.relative_tolerance);
   if(limits.slowness)
-    key.add(*limits.slowness);
-  key.add(std::uint64_t{layout.rows});
-  key.add(std::uint64_t{layout.columns});
-  key.add(std::uint64_t(layout.format));
-  return key.value();
+    arguments.add(*limits.slowness);
+  return {surface.value(), arguments.value()};
 }
 
 bool write_distance_matrix(const Row_engine& engine, double scale, const Matrix_job& job,
                            const Front_limits& limits, unsigned number_of_threads,
                            Matrix_file& file)
+try
 {
   const Row_writer writer(job, file.layout().format);
   const std::size_t row_size = file.layout().row_size();
@@ -271,6 +274,11 @@ bool write_distance_matrix(const Row_engine& engine, double scale, const Matrix_
   }
   file.finish();
   return true;
+}
+catch(const Invalid_argument_error&)
+{
+  file.discard(); // no later call could finish it
+  throw;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

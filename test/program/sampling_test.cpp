@@ -211,7 +211,8 @@ TEST_F(Program, matrix_of_all_vertices_is_file_of_numpy)
   // Parts of the rows, in single precision, are merged.
   json("matrix square.ply --method exact --float32 --rows 0:30 -o a.npy");
   json("matrix square.ply --method exact --float32 --rows 30:81 -o b.npy");
-  EXPECT_EQ(run("merge-matrices --part a.npy --part b.npy -o c.npy").code, 0);
+  expect_failure("merge-matrices --part b.npy -o c.npy", 3, "c.npy: the rows 0:30 are in no part.");
+  EXPECT_EQ(run("merge-matrices --part b.npy --part a.npy -o c.npy").code, 0);
   const std::vector<double> single = numpy_numbers(read_file(m_folder / "c.npy"), "(81, 81)", true);
   ASSERT_EQ(single.size(), d.size());
   for(std::size_t i = 0; i < d.size(); ++i)

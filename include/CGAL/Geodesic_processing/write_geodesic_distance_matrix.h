@@ -61,14 +61,14 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
   }
   const Matrix_layout layout = {
       range.second - range.first, job.regions ? job.regions->number_of_regions : query.to.size(),
-      std::is_same_v<Number, float> ? Number_format::float32 : Number_format::float64};
+      std::is_same_v<Number, float> ? Number_format::float32 : Number_format::float64, range.first,
+      query.from.size()};
   const auto heat_time_step = read_heat_time_step(np);
   Distance_engine engine(method, domain.triangles(), heat_time_step);
   engine.select(query.limits);
   constexpr std::size_t default_tile_size = std::size_t(1) << 26;
-  Matrix_file file(
-      path, layout, parameter(np, internal_np::tile_size, default_tile_size),
-      matrix_key(*domain.triangles(), method, heat_time_step, job, query.limits, layout));
+  Matrix_file file(path, layout, parameter(np, internal_np::tile_size, default_tile_size),
+                   matrix_key(*domain.triangles(), method, heat_time_step, job, query.limits));
   write_distance_matrix(engine.row_engine(), domain.triangles()->scale, job, query.limits,
                         number_of_threads<Concurrency_tag>(np), file);
 }
@@ -82,14 +82,19 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
 /// exact distances on meshes. \cgalCite{cgal:qhyyz-fedgc-16}
 ///
 /// The file has the format `.npy` of NumPy, version 1.0, in row-major order, and can be opened by
-/// `numpy.load(path, mmap_mode='r')`. It is created in its final size and written in tiles of
-/// consecutive rows. A tile is synchronized with the disk before the text file `path` + `.tiles`
-/// records it. If the computation is interrupted, even by `kill -9`, the same call continues after
-/// the recorded tiles, and the result is the same to the last bit. The record is removed at the
-/// end. A file without a record is replaced.
+/// `numpy.load(path, mmap_mode='r')`. It is created in its final size and written in tiles of at
+/// most 1,024 consecutive rows. Until it is complete, its name is `path` + `.unfinished`. An
+/// existing file `path` is kept until then, and then replaced. Thus a file `path` is always complete.
+///
+/// A tile is synchronized with the disk before the text file `path` + `.tiles` records it. If the
+/// computation is interrupted, even by `kill -9`, the same call continues after the recorded tiles,
+/// and the result is the same to the last bit. The record has hashes of the surface and of the
+/// arguments, and checksums, so that damaged lines are ignored. It is locked, so that two processes
+/// do not write the same matrix, and it is removed at the end.
 ///
 /// Parts of the matrix can be computed on several machines: each call has another `row_range` and
-/// `path`. `merge_distance_matrices()` joins the parts.
+/// `path`. `merge_distance_matrices()` joins the parts. The header of a part has a comment with its
+/// rows and the hashes, which NumPy ignores.
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Concurrency_tag as for `geodesic_distance_matrix()`
@@ -123,7 +128,7 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tile_size}
-///     \cgalParamDescription{the number of bytes of a tile, which has at least one row}
+///     \cgalParamDescription{the number of bytes of a tile, which has at least one row and at most 1,024}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{2<SUP>26</SUP>}
 ///   \cgalParamNEnd
@@ -131,9 +136,11 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
 ///
 /// \pre `region_map` has a value for each target.
 /// \throws as `geodesic_distance_matrix()`
-/// \throws Invalid_argument_error if `row_range` is not a range of the sources
-/// \throws File_error if the file cannot be written, if the disk has too little space, or if the
-///         record belongs to another surface or other arguments
+/// \throws Invalid_argument_error if `row_range` is not a range of the sources, or if `Number` is
+///         `float` and a finite distance is too large for it. The unfinished file is then removed
+/// \throws File_error if the file cannot be written, if the disk has too little space, if another
+///         process is writing the same file, or if the record belongs to another surface or other
+///         arguments
 ///
 /// Takes one distance computation for each source. Uses memory for one tile and, per thread, for
 /// one solver. If the callback cancels, finished tiles remain, and the next call continues.
@@ -153,15 +160,18 @@ void write_geodesic_distance_matrix(const Surface& surface, const Sources& sourc
 /// \ingroup PkgGeodesicProcessingDistances
 ///
 /// Joins parts of a matrix that `write_geodesic_distance_matrix()` has written for several ranges of
-/// rows. The rows of the result are those of the first part, then those of the second, and so on.
+/// rows. The result is the same, to the last bit, as that of one call for all rows.
 ///
 /// \tparam Paths a range of `std::string`
-/// \param paths the complete parts, which have the same columns and the same type of numbers
-/// \param merged the file of the result, which is none of the parts
-/// \throws File_error if a part is not complete, is no matrix of this package or differs from the
-///         first one in its columns or numbers, or if a file cannot be read or written
+/// \param paths the parts, in any order
+/// \param merged the file of the result, which is none of the parts. It is written as by
+///        `write_geodesic_distance_matrix()`: it has its name only when it is complete, and the same
+///        call continues if it was interrupted
+/// \throws File_error if a part is not complete or is no matrix of this package, if the parts
+///         belong to several surfaces or were computed with different arguments, if rows are missing
+///         or are in two parts, or if a file cannot be read or written. The message names the rows
 ///
-/// Takes linear time, and memory for one block of 1 MB.
+/// Takes linear time, and memory for one tile of 64 MB.
 template <typename Paths>
 void merge_distance_matrices(const Paths& paths, const std::string& merged)
 {

@@ -158,7 +158,7 @@ void add_merge_matrices(CLI::App& program)
     std::string output;
   };
   Command command(program, "merge-matrices",
-                  "join .npy files with parts of the rows of a matrix, in their order");
+                  "join .npy files with parts of the rows of a matrix, in any order");
   const auto options = std::make_shared<Options>();
   command
       .add("--part", options->parts, "FILE",

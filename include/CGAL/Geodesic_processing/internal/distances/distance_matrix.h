@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -52,17 +51,19 @@ struct Matrix_job
   std::optional<Column_regions> regions;
 };
 
-// Returns a number that differs, almost certainly, if any of the arguments does: the key of a
-// Matrix_file. The callback and the targets of the limits have no effect. O(size of the arguments).
+// Returns hashes that differ, almost certainly, if the surface or any of the other arguments does.
+// The first row, the callback and the targets of the limits have no effect. O(size of the
+// arguments).
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::uint64_t matrix_key(const Surface_arrays& triangles, Distance_method method,
-                         std::optional<double> heat_time_step, const Matrix_job& job,
-                         const Front_limits& limits, const Matrix_layout& layout);
+Matrix_key matrix_key(const Surface_arrays& triangles, Distance_method method,
+                      std::optional<double> heat_time_step, const Matrix_job& job,
+                      const Front_limits& limits);
 
 // Computes the tiles of a matrix that are not finished, one after the other, and writes them. The
 // rows of a tile are computed by several threads. A region without a reached column is infinite,
 // and so is the mean of a region with a column that is not reached. Returns false if cancelled.
-// Memory: one tile. Throws File_error.
+// Memory: one tile. Throws File_error, and Invalid_argument_error if a finite distance is too large
+// for the format of the file; the file is then removed.
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool write_distance_matrix(const Row_engine& engine, double scale, const Matrix_job& job,
                            const Front_limits& limits, unsigned number_of_threads,
