@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -171,6 +173,51 @@ TEST_F(Write_geodesic_distance_matrix, joins_columns_of_regions)
   GP::write_geodesic_distance_matrix<GP::Exact>(mesh, std::vector<Vertex>{vertices[1]}, path,
                                                 map.targets(vertices).maximum_distance(0.1));
   EXPECT_EQ(matrix(1, 5)(0, 1), 0.);
+}
+
+TEST_F(Write_geodesic_distance_matrix, joins_rows_of_regions)
+{
+  // The regions are the columns of the square, whose distance is that of their lines.
+  const double size = 8.;
+  std::vector<int> column;
+  for(const Point& p : square(8).points)
+    column.push_back(int(std::lround(size * p[0])));
+  const Mesh regular = mesh_of(square(8));
+  const auto map = CGAL::make_property_map(column);
+  const auto maps = GP::parameters::region_map(map).row_region_map(map);
+  GP::write_geodesic_distance_matrix<GP::Exact>(regular, vertices, path, maps);
+  const Eigen::MatrixXd minimum = matrix(9, 9);
+  GP::write_geodesic_distance_matrix<GP::Exact>(regular, vertices, path,
+                                                maps.do_average_regions(true));
+  const Eigen::MatrixXd mean = matrix(9, 9);
+  for(int r = 0; r < 9; ++r)
+    for(int c = 0; c < 9; ++c)
+    {
+      EXPECT_NEAR(minimum(r, c), std::abs(r - c) / size, 1e-14); // round-off
+      double sum = 0.;
+      for(std::size_t i = 0; i < vertices.size(); ++i)
+        for(std::size_t j = 0; j < vertices.size(); ++j)
+          if(column[i] == r && column[j] == c)
+            sum += distance(square(8).points[i], square(8).points[j]);
+      EXPECT_NEAR(mean(r, c), sum / 81., 1e-13);
+    }
+
+  // The range of rows is one of regions.
+  GP::write_geodesic_distance_matrix<GP::Exact>(
+      regular, vertices, path, maps.row_range(std::pair<std::size_t, std::size_t>(2, 4)));
+  EXPECT_EQ(matrix(2, 9), minimum.middleRows(2, 2));
+  EXPECT_THROW(
+      GP::write_geodesic_distance_matrix<GP::Exact>(
+          regular, vertices, path, maps.row_range(std::pair<std::size_t, std::size_t>(2, 10))),
+      GP::Invalid_argument_error);
+
+  // From regions to vertices.
+  GP::write_geodesic_distance_matrix<GP::Exact>(regular, vertices, path,
+                                                GP::parameters::row_region_map(map));
+  const Eigen::MatrixXd fields = matrix(9, Eigen::Index(vertices.size()));
+  for(int r = 0; r < 9; ++r)
+    for(std::size_t j = 0; j < vertices.size(); ++j)
+      EXPECT_NEAR(fields(r, Eigen::Index(j)), std::abs(r - column[j]) / size, 1e-14);
 }
 
 // The process is killed in the middle, and the next call continues.

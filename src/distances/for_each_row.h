@@ -15,16 +15,47 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// Copies of an engine, at most one per thread, that are used again.
+template <typename Engine>
+class Engine_pool
+{
+public:
+  explicit Engine_pool(const Engine& engine) : m_engine(engine) {}
+
+  std::unique_ptr<Engine> take()
+  {
+    {
+      const std::lock_guard lock(m_mutex);
+      if(!m_idle.empty())
+      {
+        std::unique_ptr<Engine> result = std::move(m_idle.back());
+        m_idle.pop_back();
+        return result;
+      }
+    }
+    return std::make_unique<Engine>(m_engine);
+  }
+  void give_back(std::unique_ptr<Engine> engine)
+  {
+    const std::lock_guard lock(m_mutex);
+    m_idle.push_back(std::move(engine));
+  }
+
+private:
+  const Engine& m_engine;
+  std::mutex m_mutex;
+  std::vector<std::unique_ptr<Engine>> m_idle;
+};
+
 // Calls row(i, engine, limits) for each row i, on several threads; each thread has a copy of the
 // engine. If a row only runs its engine within the limits and writes its own entries, the results
 // do not depend on the number of threads. The callback of the limits receives the fraction of the
 // rows done, from one thread at a time. Returns false if it cancelled.
 template <typename Engine, typename Row>
-bool for_each_row(const Engine& engine, std::size_t number_of_rows, Front_limits limits,
+bool for_each_row(Engine_pool<Engine>& engines, std::size_t number_of_rows, Front_limits limits,
                   unsigned number_of_threads, const Row& row)
 {
   std::mutex mutex;
-  std::vector<std::unique_ptr<Engine>> idle_engines;
   std::size_t number_done = 0;
   std::atomic<bool> is_cancelled{false};
   const std::function<bool(double)> callback = std::exchange(limits.callback, nullptr);
@@ -34,27 +65,28 @@ bool for_each_row(const Engine& engine, std::size_t number_of_rows, Front_limits
   for_each_block(number_of_rows, 1, number_of_threads,
                  [&](std::size_t i, std::size_t, std::size_t)
                  {
-                   std::unique_ptr<Engine> thread_engine;
                    {
                      const std::lock_guard lock(mutex);
                      if(callback && !is_cancelled)
                        is_cancelled = !callback(double(number_done) / double(number_of_rows));
                      if(is_cancelled)
                        return;
-                     if(!idle_engines.empty())
-                     {
-                       thread_engine = std::move(idle_engines.back());
-                       idle_engines.pop_back();
-                     }
                    }
-                   if(!thread_engine)
-                     thread_engine = std::make_unique<Engine>(engine);
-                   row(i, *thread_engine, std::as_const(limits));
+                   std::unique_ptr<Engine> engine = engines.take();
+                   row(i, *engine, std::as_const(limits));
+                   engines.give_back(std::move(engine));
                    const std::lock_guard lock(mutex);
-                   idle_engines.push_back(std::move(thread_engine));
                    ++number_done;
                  });
   return !is_cancelled;
+}
+
+template <typename Engine, typename Row>
+bool for_each_row(const Engine& engine, std::size_t number_of_rows, const Front_limits& limits,
+                  unsigned number_of_threads, const Row& row)
+{
+  Engine_pool<Engine> engines(engine);
+  return for_each_row(engines, number_of_rows, limits, number_of_threads, row);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

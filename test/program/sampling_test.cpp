@@ -246,6 +246,54 @@ TEST_F(Program, matrix_joins_columns_of_regions)
     }
 }
 
+TEST_F(Program, matrix_file_that_cannot_be_written_is_named)
+{
+  expect_failure("matrix square.ply -o missing/m.npy", 3, "missing/m.npy");
+  std::filesystem::create_directory(m_folder / "d.npy");
+  expect_failure("matrix square.ply -o d.npy", 3, "d.npy: it exists and is not a regular file.");
+  std::ofstream(m_folder / "m.npy.tiles") << "notes\n";
+  expect_failure("matrix square.ply -o m.npy", 3, "m.npy.tiles: it is not a record");
+  std::ofstream(m_folder / "n.npy.unfinished") << "some notes\n";
+  expect_failure("matrix square.ply -o n.npy", 3, "n.npy.unfinished: it exists and is not");
+  // A file without a record is replaced.
+  std::ofstream(m_folder / "o.npy") << "notes\n";
+  EXPECT_EQ(json("matrix square.ply --sources 1,2 -o o.npy")["rows"], 2);
+  EXPECT_EQ(numpy_numbers(read_file(m_folder / "o.npy"), "(2, 2)").size(), 4u);
+}
+
+TEST_F(Program, matrix_has_distances_between_regions)
+{
+  std::string regions;
+  for(int i = 0; i < 81; ++i)
+    regions += std::to_string(i % 9 == 8 ? -1 : i % 9) + '\n';
+  std::ofstream(m_folder / "regions.txt") << regions;
+  const std::string command =
+      "matrix square.ply --method exact --regions regions.txt --between-regions -o m.npy";
+  EXPECT_EQ(json(command)["rows"], 8);
+  const std::vector<double> nearest = numpy_numbers(read_file(m_folder / "m.npy"), "(8, 8)");
+  json(command + " --average --rows 2:4");
+  const std::vector<double> mean = numpy_numbers(read_file(m_folder / "m.npy"), "(2, 8)");
+  ASSERT_EQ(nearest.size(), 64u);
+  ASSERT_EQ(mean.size(), 16u);
+  for(int r = 0; r < 8; ++r)
+    for(int c = 0; c < 8; ++c)
+    {
+      EXPECT_NEAR(nearest[std::size_t(8 * r + c)], std::abs(r - c) / 8., 1e-12);
+      double sum = 0.;
+      for(int i = 0; i < 9; ++i)
+        for(int j = 0; j < 9; ++j)
+          sum += std::hypot(r - c, i - j) / 8.;
+      if(r == 2 || r == 3)
+      {
+        EXPECT_NEAR(mean[std::size_t(8 * (r - 2) + c)], sum / 81., 1e-12);
+      }
+    }
+  expect_failure("matrix square.ply --between-regions -o n.npy", 1, "needs --regions");
+  expect_failure("matrix square.ply --regions regions.txt --between-regions --number 3 -o n.npy", 1,
+                 "excludes --sources and --number");
+  expect_failure(command + " --rows 2:9", 1, "the matrix has only 8 rows");
+}
+
 TEST_F(Program, matrix_rejects_regions_that_are_no_indices_below_number_of_vertices)
 {
   ASSERT_EQ(run("distance square.ply --source 0 -o d.ply").code, 0);

@@ -17,6 +17,7 @@ namespace CGAL::Geodesic_processing {
   NAME(targets)                                                                                    \
   NAME(row_range)                                                                                  \
   NAME(region_map)                                                                                 \
+  NAME(row_region_map)                                                                             \
   NAME(do_average_regions)                                                                         \
   NAME(tile_size)                                                                                  \
   NAME(speed_map)                                                                                  \

@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
-#include <CGAL/Geodesic_processing/internal/distances/Matrix_file.h>
+#include <CGAL/Geodesic_processing/internal/distances/write_distance_matrix.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,16 +18,16 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// Reads the regions of the targets.
-template <typename Domain, typename Targets, typename RegionMap>
-Column_regions column_regions(const Domain& domain, const Targets& targets, const RegionMap& map)
+// Reads the regions of the sources or the targets.
+template <typename Domain, typename Vertices, typename RegionMap>
+Matrix_regions matrix_regions(const Domain& domain, const Vertices& vertices, const RegionMap& map)
 {
   static_assert(is_keyed_by<RegionMap, typename Domain::Vertex>,
-                "region_map is a property map with vertices or surfels as keys.");
-  Column_regions result;
-  for(const auto& target : targets)
+                "A region map is a property map with vertices or surfels as keys.");
+  Matrix_regions result;
+  for(const auto& value : vertices)
   {
-    const typename Domain::Vertex vertex(target);
+    const typename Domain::Vertex vertex(value);
     domain.inner_vertex(vertex); // throws if it does not belong to the surface
     const auto region = static_cast<std::size_t>(get(map, vertex)); // negative becomes large
     result.region.push_back(region < none ? static_cast<Index>(region) : none);
@@ -45,32 +45,38 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
                               const NamedParameters& np)
 {
   const Matrix_query query = matrix_query(domain, from_sources, np);
-  const std::pair<std::size_t, std::size_t> range = parameter(
-      np, internal_np::row_range, std::pair<std::size_t, std::size_t>(0, query.from.size()));
-  if(range.first > range.second || range.second > query.from.size())
-    throw Invalid_argument_error("row_range is not a range of the sources.");
-  Matrix_job job{query.from, query.to, range.first, {}};
+  Matrix_job job{query.from, query.to};
+  job.do_average = parameter(np, internal_np::do_average_regions, false);
+  if constexpr(has_parameter<NamedParameters, internal_np::row_region_map_t>)
+    job.row_regions =
+        matrix_regions(domain, from_sources, parameter(np, internal_np::row_region_map, 0));
   if constexpr(has_parameter<NamedParameters, internal_np::region_map_t>)
   {
     const auto map = parameter(np, internal_np::region_map, 0);
     if constexpr(has_parameter<NamedParameters, internal_np::targets_t>)
-      job.regions = column_regions(domain, parameter(np, internal_np::targets, 0), map);
+      job.column_regions = matrix_regions(domain, parameter(np, internal_np::targets, 0), map);
     else
-      job.regions = column_regions(domain, from_sources, map);
-    job.regions->do_average = parameter(np, internal_np::do_average_regions, false);
+      job.column_regions = matrix_regions(domain, from_sources, map);
   }
-  const Matrix_layout layout = {
-      range.second - range.first, job.regions ? job.regions->number_of_regions : query.to.size(),
-      std::is_same_v<Number, float> ? Number_format::float32 : Number_format::float64, range.first,
-      query.from.size()};
+  const std::pair<std::size_t, std::size_t> range = parameter(
+      np, internal_np::row_range, std::pair<std::size_t, std::size_t>(0, job.number_of_rows()));
+  if(range.first > range.second || range.second > job.number_of_rows())
+    throw Invalid_argument_error("row_range is not a range of the rows.");
+
+  const Matrix_layout layout = {range.second - range.first, job.number_of_columns(),
+                                std::is_same_v<Number, float> ? Number_format::float32
+                                                              : Number_format::float64,
+                                range.first, job.number_of_rows()};
+  const unsigned threads = number_of_threads<Concurrency_tag>(np);
   const auto heat_time_step = read_heat_time_step(np);
   Distance_engine engine(method, domain.triangles(), heat_time_step);
   engine.select(query.limits);
-  constexpr std::size_t default_tile_size = std::size_t(1) << 26;
+  // One row per thread at least, so that no thread is idle.
+  const std::size_t default_tile_size = std::max(std::size_t(1) << 26, threads * layout.row_size());
   Matrix_file file(path, layout, parameter(np, internal_np::tile_size, default_tile_size),
                    matrix_key(*domain.triangles(), method, heat_time_step, job, query.limits));
-  write_distance_matrix(engine.row_engine(), domain.triangles()->scale, job, query.limits,
-                        number_of_threads<Concurrency_tag>(np), file);
+  write_distance_matrix(engine.row_engine(), domain.triangles()->scale, job, query.limits, threads,
+                        file);
 }
 
 } // namespace internal
@@ -108,8 +114,8 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{row_range}
-///     \cgalParamDescription{the rows that are written: the positions of the first source and past
-///       the last source}
+///     \cgalParamDescription{the rows that are written: the positions of the first source, or region
+///       of `row_region_map`, and past the last one}
 ///     \cgalParamType{`std::pair<std::size_t, std::size_t>`}
 ///     \cgalParamDefault{all rows}
 ///   \cgalParamNEnd
@@ -121,8 +127,16 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
 ///       as values. The targets must then be a range of vertices or surfels.}
 ///     \cgalParamDefault{Each target has a column.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{row_region_map}
+///     \cgalParamDescription{the region of each source, as `region_map`. The matrix then has one row
+///       per region: the distances from the nearest of its sources. With both maps, the entries are
+///       the distances between regions.}
+///     \cgalParamType{a model of `ReadablePropertyMap` with vertices or surfels as keys and integers
+///       as values. The sources must then be a range of vertices or surfels.}
+///     \cgalParamDefault{Each source has a row.}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{do_average_regions}
-///     \cgalParamDescription{whether the column of a region is the mean of the distances instead of
+///     \cgalParamDescription{whether an entry is the mean of the distances of all pairs instead of
 ///       the minimum. It is infinite if a target of the region is not reached.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
@@ -130,20 +144,22 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
 ///   \cgalParamNBegin{tile_size}
 ///     \cgalParamDescription{the number of bytes of a tile, which has at least one row and at most 1,024}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{2<SUP>26</SUP>}
+///     \cgalParamDefault{2<SUP>26</SUP>, or one row per thread if these are more bytes}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \pre `region_map` has a value for each target.
+/// \pre `region_map` has a value for each target, and `row_region_map` for each source.
 /// \throws as `geodesic_distance_matrix()`
-/// \throws Invalid_argument_error if `row_range` is not a range of the sources, or if `Number` is
+/// \throws Invalid_argument_error if `row_range` is not a range of the rows, or if `Number` is
 ///         `float` and a finite distance is too large for it. The unfinished file is then removed
 /// \throws File_error if the file cannot be written, if the disk has too little space, if another
 ///         process is writing the same file, or if the record belongs to another surface or other
 ///         arguments
 ///
-/// Takes one distance computation for each source. Uses memory for one tile and, per thread, for
-/// one solver. If the callback cancels, finished tiles remain, and the next call continues.
+/// Takes one distance computation for each source. With `row_region_map` and minima, it takes one for
+/// each region, from all of its sources. Uses memory for one tile, for means of `row_region_map` for
+/// two, and per thread for one solver and one row. If the callback cancels, finished tiles remain,
+/// and the next call continues.
 template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag,
           typename Number = double, typename Surface, typename Sources,
           typename NamedParameters = internal::Default_parameters>

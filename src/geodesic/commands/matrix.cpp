@@ -172,9 +172,9 @@ void check(const Matrix_options& options, bool has_numpy_output)
   if(has_numpy_output && is_metric(options.method))
     throw Usage_error("--method " + options.method + ": this method does not support .npy files.");
   if(options.file.is_given() && !has_numpy_output)
-    throw Usage_error(
-        "matrix: --float32, --rows, --regions and --average need a .npy file as output.");
-  check(options.file);
+    throw Usage_error("matrix: --float32, --rows, --regions, --between-regions and --average need "
+                      "a .npy file as output.");
+  check(options.file, options.rows);
   if(!options.rows.sources.empty())
   {
     std::vector<std::size_t> vertices = parse_indices(options.rows.sources, "--sources");

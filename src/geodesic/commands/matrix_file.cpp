@@ -70,16 +70,23 @@ void write_rows(const Domain& domain, Job& job, const Matrix_file_options& optio
   std::vector<Vertex> sources;
   for(const std::size_t position : positions)
     sources.push_back(vertex_at<Surface_type>(position));
-  const auto range = options.rows.empty() ? std::make_pair(std::size_t{0}, sources.size())
+  std::vector<long long> regions; // empty, or of each vertex
+  if(!options.regions.empty())
+    regions = read_regions(options.regions, job.surface());
+  const std::size_t number_of_regions =
+      regions.empty()
+          ? 0
+          : static_cast<std::size_t>(1 + *std::max_element(regions.begin(), regions.end()));
+  const std::size_t number_of_rows = options.do_join_rows ? number_of_regions : sources.size();
+  const auto range = options.rows.empty() ? std::make_pair(std::size_t{0}, number_of_rows)
                                           : parse_rows(options.rows);
-  if(range.second > sources.size())
-    throw Usage_error("--rows: the matrix has only " + std::to_string(sources.size()) + " rows.");
+  if(range.second > number_of_rows)
+    throw Usage_error("--rows: the matrix has only " + std::to_string(number_of_rows) + " rows.");
 
   const auto np = GP::parameters::number_of_threads(job.threads())
                       .callback(job.progress_callback("distances"))
                       .maximum_distance(max_distance)
                       .row_range(range);
-  std::size_t columns = sources.size();
   const auto write = [&](auto number, const auto& parameters)
   {
     with_method_tag(
@@ -99,12 +106,15 @@ void write_rows(const Domain& domain, Job& job, const Matrix_file_options& optio
     std::vector<Vertex> targets;
     for(std::size_t i = 0; i < n; ++i)
       targets.push_back(vertex_at<Surface_type>(i));
-    std::vector<long long> regions = read_regions(options.regions, job.surface());
-    columns = static_cast<std::size_t>(1 + *std::max_element(regions.begin(), regions.end()));
-    write_numbers(np.targets(targets)
-                      .region_map(Property_map<Vertex, long long>{&regions})
-                      .do_average_regions(options.do_average));
+    const Property_map<Vertex, long long> map{&regions};
+    const auto column_np =
+        np.targets(targets).region_map(map).do_average_regions(options.do_average);
+    if(options.do_join_rows)
+      write_numbers(column_np.row_region_map(map));
+    else
+      write_numbers(column_np);
   }
+  const std::size_t columns = regions.empty() ? sources.size() : number_of_regions;
   job.result()["rows"] = range.second - range.first;
   job.result()["columns"] = columns;
   if(!selection.has_all_vertices())
@@ -124,16 +134,22 @@ void add_matrix_file_options(Command& command, Matrix_file_options& options)
   command.add("--regions", options.regions, "FILE",
               "columns of a .npy file: the minimum of the distances to each region. The region of "
               "each vertex is an integer, one per line of a file, or a property; -1 is none");
+  command.add_flag("--between-regions", options.do_join_rows,
+                   "one row per region, too: the minimum of the distances between two regions");
   command.add_flag("--average", options.do_average,
-                   "the mean distance of each region instead of the minimum");
+                   "the mean distance of regions instead of the minimum");
 }
 
-void check(const Matrix_file_options& options)
+void check(const Matrix_file_options& options, const Row_selection& rows)
 {
   if(!options.rows.empty())
     parse_rows(options.rows);
   if(options.do_average && options.regions.empty())
     throw Usage_error("--average: this option needs --regions.");
+  if(options.do_join_rows && options.regions.empty())
+    throw Usage_error("--between-regions: this option needs --regions.");
+  if(options.do_join_rows && !rows.has_all_vertices())
+    throw Usage_error("--between-regions: this option excludes --sources and --number.");
 }
 
 void write_matrix_file(Job& job, const Matrix_file_options& options, const std::string& method,

@@ -19,11 +19,15 @@ namespace program {
 struct Matrix_file_options
 {
   bool use_float32 = false;
-  std::string rows;    // "BEGIN:END", or empty for all
-  std::string regions; // a property or a file with an integer for each vertex
+  std::string rows;          // "BEGIN:END", or empty for all
+  std::string regions;       // a property or a file with an integer for each vertex
+  bool do_join_rows = false; // one row per region, too
   bool do_average = false;
 
-  bool is_given() const { return use_float32 || !rows.empty() || !regions.empty() || do_average; }
+  bool is_given() const
+  {
+    return use_float32 || !rows.empty() || !regions.empty() || do_join_rows || do_average;
+  }
 };
 
 // Selects the vertices of the rows of a matrix.
@@ -52,11 +56,11 @@ std::vector<std::size_t> row_vertices(const Domain& domain, const Row_selection&
 void add_matrix_file_options(Command& command, Matrix_file_options& options);
 
 // Throws Usage_error if the options are inconsistent.
-void check(const Matrix_file_options& options);
+void check(const Matrix_file_options& options, const Row_selection& rows);
 
 // Computes the distances from some vertices to the same vertices, or to the regions of all
-// vertices, and writes them to the output. Unreached entries are infinite. Continues an interrupted
-// computation. Throws Output_error, and Usage_error if the rows are out of range.
+// vertices, or between these regions, and writes them to the output. Unreached entries are
+// infinite. Continues an interrupted computation. Throws Output_error, and Usage_error if the rows are out of range.
 void write_matrix_file(Job& job, const Matrix_file_options& options, const std::string& method,
                        double max_distance, const Row_selection& rows);
 

@@ -79,6 +79,7 @@ public:
   bool is_finished(std::size_t tile) const { return m_is_finished[tile]; }
   std::size_t first_row(std::size_t tile) const { return tile * m_rows_per_tile; }
   std::size_t end_row(std::size_t tile) const;
+  std::size_t tile_size() const { return m_rows_per_tile * m_layout.row_size(); } // bytes
 
   // Writes the rows of a tile, synchronizes, and records the tile. Throws File_error.
   void write(std::size_t tile, const std::vector<char>& rows);
