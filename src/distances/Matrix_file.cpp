@@ -132,8 +132,9 @@ std::unique_ptr<File_descriptor> create_unfinished(const std::string& path,
   try
   {
     file->resize(0); // frees its space
-    file->reserve(size);
+    // If the process ends while the space is reserved, the header shows that the file is a matrix.
     file->write(header.data(), header.size(), 0);
+    file->reserve(size);
     file->synchronize();
   }
   catch(...)

@@ -98,9 +98,9 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
 /// arguments, and checksums, so that damaged lines are ignored. It is locked, so that two processes
 /// do not write the same matrix, and it is removed at the end.
 ///
-/// Parts of the matrix can be computed on several machines: each call has another `row_range` and
-/// `path`. `merge_distance_matrices()` joins the parts. The header of a part has a comment with its
-/// rows and the hashes, which NumPy ignores.
+/// Parts of the matrix can be computed on several machines by the same program: each call has another
+/// `row_range` and `path`. `merge_distance_matrices()` joins the parts. The header of a part has a
+/// comment with its rows and the hashes, which NumPy ignores.
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Concurrency_tag as for `geodesic_distance_matrix()`

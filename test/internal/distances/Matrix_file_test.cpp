@@ -273,6 +273,21 @@ TEST_F(Matrix_file_test, continues_after_renaming)
   EXPECT_EQ(content(path), content(path + ".expected"));
 }
 
+// The process ended while the space was reserved: the file has a part of its size, and the record is
+// empty.
+TEST_F(Matrix_file_test, begins_anew_after_interrupted_creation)
+{
+  write_all(path + ".expected");
+  for(const std::size_t size : {std::size_t(0), std::size_t(100), std::size_t(128)})
+  {
+    set_content(unfinished, content(path + ".expected").substr(0, size));
+    set_content(record, "");
+    write_all(path);
+    EXPECT_EQ(content(path), content(path + ".expected"));
+    EXPECT_EQ(number_of_files(), 2u);
+  }
+}
+
 TEST_F(Matrix_file_test, rejects_other_matrices)
 {
   Matrix_file(path, layout, 48, key);
