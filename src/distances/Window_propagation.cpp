@@ -67,7 +67,7 @@ bool Window_propagation::run(const std::vector<Front_source>& sources, const Fro
   const auto interrupt = [&]
   {
     m_state.max_distance =
-        std::min(m_state.max_distance, m_state.queue.front().key - m_state.max_edge_length);
+        std::min(m_state.max_distance, m_state.queue.smallest_key() - m_state.max_edge_length);
     remove_far_vertices();
   };
   const auto should_continue = [&]

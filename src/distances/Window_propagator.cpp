@@ -96,7 +96,8 @@ Window_state::Window_state(std::shared_ptr<const Surface_arrays> arrays,
     : triangles(std::move(arrays)), is_pseudo_source(std::move(pseudo_sources)),
       vertices(triangles->number_of_vertices()),
       queue(triangles->corner.size() + triangles->number_of_vertices()),
-      waiting(2 * triangles->corner.size()), number_of_crossings(triangles->corner.size())
+      number_of_crossings(triangles->corner.size()),
+      is_crossed_block((triangles->corner.size() + block_size - 1) / block_size)
 {
   for(const double length : triangles->length)
     max_edge_length = std::max(max_edge_length, length);
@@ -104,7 +105,6 @@ Window_state::Window_state(std::shared_ptr<const Surface_arrays> arrays,
 
 void Window_state::clear()
 {
-  const Index number_of_halfedges = Index(triangles->corner.size());
   for(const Index vertex : reached)
   {
     vertices[vertex] = Window_state::Vertex{};
@@ -112,14 +112,19 @@ void Window_state::clear()
       upper[vertex] = infinity;
   }
   reached.clear();
-  for(const Index h : crossed_halfedges)
-    number_of_crossings[h] = 0;
-  crossed_halfedges.clear();
+  for(const Index block : crossed_blocks)
+  {
+    const std::size_t first = block * std::size_t(block_size);
+    std::fill_n(number_of_crossings.begin() + std::ptrdiff_t(first),
+                std::min<std::size_t>(block_size, number_of_crossings.size() - first),
+                std::uint8_t(0));
+    is_crossed_block[block] = false;
+  }
+  crossed_blocks.clear();
   known_windows.clear();
   while(!queue.empty())
-    if(const std::size_t h = queue.pop().vertex; h < number_of_halfedges)
-      for(const int list_index : {0, 1})
-        pool.release(waiting[2 * h + list_index]);
+    for(Window_list& list : queue.pop().windows)
+      pool.release(list);
 }
 
 void Window_state::set_tolerance(double tolerance)
@@ -142,14 +147,14 @@ bool Window_propagator::step()
                                     "windows cross the same edges, or circulate around a vertex of "
                                     "high degree.");
   }
-  const Index item = m_state.queue.pop().vertex,
-              number_of_halfedges = Index(m_state.triangles->corner.size());
-  if(item < number_of_halfedges)
+  const Window_queue::Item item = m_state.queue.pop();
+  const Index number_of_halfedges = Index(m_state.triangles->corner.size());
+  if(item.index < number_of_halfedges)
   {
     cross_triangle(item);
     return false;
   }
-  finalize_vertex(item - number_of_halfedges);
+  finalize_vertex(item.index - number_of_halfedges);
   return true;
 }
 
@@ -293,20 +298,20 @@ void Window_propagator::emit_window(Index corner, double from, double to)
 
 // Moves the waiting windows of a halfedge that may be on a shortest path to m_state.windows, in the
 // order along the halfedge.
-void Window_propagator::collect_windows(Index h)
+void Window_propagator::collect_windows(Window_queue::Item item)
 {
   const Surface_arrays& t = *m_state.triangles;
+  const Index h = item.index;
   const double length = t.length[h], min_length = merge_tolerance * length;
   const double max_by_begin = max_useful_distance(t.corner[h]),
                max_by_end = max_useful_distance(t.corner[next_halfedge(h)]) + length;
-  Window_list* const lists = &m_state.waiting[2 * std::size_t(h)];
-  m_state.windows.resize(lists[0].size + lists[1].size + 1);
-  m_work += lists[0].size + lists[1].size;
+  m_state.windows.resize(item.windows[0].size + item.windows[1].size + 1);
+  m_work += item.windows[0].size + item.windows[1].size;
   Window* stack_top = m_state.windows.data(); // the first entry is a sentinel
-  for(const int k : {0, 1})
+  for(Window_list& list : item.windows)
   {
-    const Window* const begin = m_state.pool.begin(lists[k]);
-    for(const Window* w = begin; w != begin + lists[k].size; ++w)
+    const Window* const begin = m_state.pool.begin(list);
+    for(const Window* w = begin; w != begin + list.size; ++w)
     {
       if(!(w->end - w->begin > min_length) ||
          is_too_long(*w, max_by_begin + w->end - w->offset, max_by_end - w->begin - w->offset))
@@ -319,13 +324,16 @@ void Window_propagator::collect_windows(Index h)
       if(stack_top[1].end - stack_top[1].begin > min_length)
         ++stack_top;
     }
-    m_state.pool.release(lists[k]);
+    m_state.pool.release(list);
   }
   m_state.windows.resize(std::size_t(stack_top - m_state.windows.data()) + 1);
   if(!m_state.is_exact())
     merge_similar_windows(h);
-  if(m_state.number_of_crossings[h] == 0)
-    m_state.crossed_halfedges.push_back(h);
+  if(const Index block = h / Window_state::block_size; !m_state.is_crossed_block[block])
+  {
+    m_state.is_crossed_block[block] = true;
+    m_state.crossed_blocks.push_back(block);
+  }
   if(m_state.number_of_crossings[h] < max_untracked_crossings)
     ++m_state.number_of_crossings[h];
   else
@@ -389,10 +397,11 @@ bool Window_propagator::is_too_long(const Window& w, double max_by_begin, double
 }
 
 // Propagates the windows that wait at a halfedge through its triangle.
-void Window_propagator::cross_triangle(Index h)
+void Window_propagator::cross_triangle(const Window_queue::Item& item)
 {
   const Surface_arrays& t = *m_state.triangles;
-  collect_windows(h);
+  const Index h = item.index;
+  collect_windows(item);
   const Window* const windows = m_state.windows.data() + 1;
   const std::size_t n = m_state.windows.size() - 1;
   if(n == 0)
@@ -541,14 +550,10 @@ void Window_propagator::enqueue(Index h, int list_index, Window_list list)
     list.size = 1;
     return m_state.pool.release(list);
   }
-  Window_list& waiting = m_state.waiting[2 * std::size_t(h) + list_index];
-  if(waiting.size > 0)
-  {
-    list = m_state.pool.merge(waiting, list);
-  }
-  waiting = list;
-  m_state.queue.push(h, std::min(m_state.vertices[t.corner[h]].distance,
-                                 m_state.vertices[t.corner[next_halfedge(h)]].distance));
+  Window_list& waiting = m_state.queue.push(
+      h, std::min(m_state.vertices[t.corner[h]].distance,
+                  m_state.vertices[t.corner[next_halfedge(h)]].distance))[std::size_t(list_index)];
+  waiting = waiting.size > 0 ? m_state.pool.merge(waiting, list) : list;
 }
 
 void Window_propagator::enqueue(Index h, const Window& window)

@@ -68,13 +68,13 @@ private:
     double position; // at which its line to the apex crosses the halfedge
     Vec2 to_source;  // from the apex
   };
-  void cross_triangle(Index h);
+  void cross_triangle(const Window_queue::Item& item);
   Nearest_window find_nearest(Index h, const Vec2& apex_point, std::size_t first, std::size_t last);
   void relax_apex(Index h, const Vec2& apex_point, const Nearest_window& nearest);
   // Arguments are passed by value: the loops write doubles that could alias referenced ones.
   void cross_to_left(Index h, Vec2 apex_point, std::size_t last, Nearest_window nearest);
   void cross_to_right(Index h, Vec2 apex_point, std::size_t first, Nearest_window nearest);
-  void collect_windows(Index h);
+  void collect_windows(Window_queue::Item item);
   void merge_similar_windows(Index h);
   void drop_dominated(Index h);
   double max_useful_distance(Index vertex) const;

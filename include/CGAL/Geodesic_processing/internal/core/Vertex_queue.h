@@ -26,6 +26,9 @@ public:
   explicit Vertex_queue(std::size_t number_of_vertices = 0) : m_position(number_of_vertices, none)
   {}
 
+  // Admits one more vertex, whose index is the next one.
+  void add_vertex() { m_position.push_back(none); }
+
   bool empty() const { return m_heap.empty(); }
   bool contains(Index vertex) const { return m_position[vertex] != none; }
   const Entry& front() const { return m_heap.front(); }

@@ -45,8 +45,7 @@ struct Window
   }
 };
 
-// An array of windows in a Window_pool. There are twelve times as many as vertices: a list of eight
-// bytes instead of twelve saves a fifth of the memory before a query.
+// An array of windows in a Window_pool.
 struct Window_list
 {
   Window_list() : size(0), capacity_log2(0) {}

@@ -4,9 +4,9 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_STATE_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
-#include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/distances/Window_pool.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_queue.h>
 
 #include <array>
 #include <cmath>
@@ -43,8 +43,8 @@ struct Source_piece
 // The data of window propagation: the results of the last query, and the variables of the running
 // one.
 //
-// Between two queries only the entries that `reached`, `queue` and `crossed_halfedges` list differ
-// from their defaults.
+// Between two queries only the entries that `reached` and `queue` list, and the numbers of crossings
+// in `crossed_blocks`, differ from their defaults.
 //
 // With a relative tolerance, the distances of vertices are lower bounds, and `upper` holds upper
 // bounds.
@@ -99,14 +99,14 @@ struct CGAL_GEODESIC_PROCESSING_EXPORT Window_state
   double relative_tolerance = 0.;
   std::vector<double> upper; // #vertices; empty if the relative tolerance is 0
   std::vector<Index> reached;
-  Vertex_queue queue; // halfedges, and #halfedges + vertex
+  Window_queue queue; // halfedges, and #halfedges + vertex
 
-  // 2 #halfedges: the windows that wait to cross each one. List 0 arrived through the halfedge of
-  // the adjacent triangle that shares its begin, list 1 through the one that shares its end.
-  std::vector<Window_list> waiting;
   Window_pool pool;
   std::vector<std::uint8_t> number_of_crossings; // #halfedges: how often windows have crossed it
-  std::vector<Index> crossed_halfedges;
+  // Blocks of so many halfedges need 1/64 of the memory of a list of all crossed halfedges.
+  static constexpr Index block_size = 64;
+  std::vector<bool> is_crossed_block; // #halfedges / block_size, rounded up
+  std::vector<Index> crossed_blocks;
   // The windows that have crossed a halfedge, if it has been crossed often.
   std::unordered_map<Index, std::vector<Window>> known_windows;
   std::vector<Window> windows; // 1 + those that cross now; the first entry is unused
