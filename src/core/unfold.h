@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 // Unfolds triangles into the plane, from their edge lengths only. Lengths that violate the
 // triangle inequality yield a flat triangle.
@@ -24,12 +23,11 @@ inline Vec2 rotated_right(const Vec2& p) { return {p[1], -p[0]}; }
 // for needles.
 inline double twice_area(double a, double b, double c)
 {
-  if(a < b)
-    std::swap(a, b);
-  if(a < c)
-    std::swap(a, c);
-  if(b < c)
-    std::swap(b, c);
+  // Sorts by minima and maxima, because branches would be mispredicted.
+  const double smaller = std::min(a, b), larger = std::max(a, b);
+  a = std::max(larger, c);
+  b = std::max(smaller, std::min(larger, c));
+  c = std::min(smaller, c);
   const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
   return product > 0. ? 0.5 * std::sqrt(product) : 0.;
 }
@@ -73,6 +71,21 @@ inline double interior_angle(const Surface_arrays& t, Index corner)
   const double sine = 2. * twice_area(right, left, opposite);
   const double cosine = right * right + (left - opposite) * (left + opposite);
   return sine == 0. && cosine == 0. ? 1.57079632679489661923 : std::atan2(sine, cosine);
+}
+
+// Returns the cosine and the sine of the angle at a corner, as interior_angle() treats edges of length
+// zero. The cosine has a small absolute error, and the sine a small relative error, also in needles.
+inline Vec2 cosine_and_sine(const Surface_arrays& t, Index corner)
+{
+  const double right = t.length[corner], left = t.length[previous_halfedge(corner)],
+               opposite = t.length[next_halfedge(corner)], product = right * left;
+  if(product <= 0.)
+    return left + right == opposite ? Vec2{0., 1.} : Vec2{1., 0.};
+  const double smaller = std::min(right, left), larger = std::max(right, left);
+  // The difference of the two longest edges is exact.
+  const double versine = (std::min(opposite, smaller) + (std::max(opposite, smaller) - larger)) *
+                         (opposite + (larger - smaller)) / (2. * product);
+  return {1. - std::clamp(versine, 0., 2.), twice_area(right, left, opposite) / product};
 }
 
 // Returns the next corner of the same vertex in counterclockwise or clockwise order, or none at the

@@ -16,30 +16,10 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// A path that bends by this angle counts as straight: its length changes by a fraction of 1e-17
-// only.
-constexpr double straight_angle_tolerance = 1e-8;
 // Windows cross most halfedges once or twice. If they cross one more often than this, they may
 // circulate around spikes or between coincident faces. Then the halfedge stores the windows that
 // cross it.
 constexpr std::uint8_t max_untracked_crossings = 8;
-
-// Returns whether two corners of a vertex are in the same fan.
-bool are_in_same_fan(const Surface_arrays& t, Index entry_corner, Index other)
-{
-  Index corner = entry_corner;
-  do
-  {
-    if(corner == other)
-      return true;
-    corner = next_corner_ccw(t, corner);
-  } while(corner != none && corner != entry_corner);
-  for(corner = next_corner_cw(t, entry_corner); corner != none && corner != entry_corner;
-      corner = next_corner_cw(t, corner))
-    if(corner == other)
-      return true;
-  return false;
-}
 
 // Cuts off the parts of windows, from `first` on, that are dominated by other ones, and erases the
 // windows of which nothing is left.
@@ -61,35 +41,6 @@ void trim_all(std::vector<Window>::iterator first, std::vector<Window>& windows,
 }
 
 } // namespace
-
-std::shared_ptr<const std::vector<bool>> find_pseudo_sources(const Surface_arrays& t)
-{
-  if(t.is_cloud())
-    throw Unsupported_surface_error("The exact method requires a mesh, not a point cloud.");
-  auto result = std::make_shared<std::vector<bool>>(t.number_of_vertices());
-  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
-  {
-    double total_angle = 0.;
-    bool is_boundary = false;
-    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
-    {
-      total_angle += interior_angle(t, t.ring[i]);
-      is_boundary = is_boundary || t.twin[t.ring[i]] == none;
-    }
-    Index fan_size = 0, corner = t.ring_begin[vertex] < t.ring_begin[vertex + 1]
-                                     ? t.ring[t.ring_begin[vertex]]
-                                     : none;
-    if(!is_boundary && corner != none)
-      do
-      {
-        ++fan_size;
-        corner = next_corner_ccw(t, corner);
-      } while(corner != t.ring[t.ring_begin[vertex]]);
-    (*result)[vertex] = is_boundary || total_angle > 2. * pi + straight_angle_tolerance ||
-                        fan_size < t.ring_begin[vertex + 1] - t.ring_begin[vertex];
-  }
-  return result;
-}
 
 Window_state::Window_state(std::shared_ptr<const Surface_arrays> arrays,
                            std::shared_ptr<const std::vector<bool>> pseudo_sources)
@@ -193,7 +144,7 @@ void Window_propagator::finalize_vertex(Index v)
     relax_along_edge(t.ring[i], false);
     relax_along_edge(t.ring[i], true);
     if(m_state.vertices[v].corner == none)
-      emit_window(t.ring[i], 0., pi);
+      emit_window(t.ring[i]);
   }
   if(m_state.vertices[v].corner == none || !(*m_state.is_pseudo_source)[v])
     return;
@@ -219,81 +170,6 @@ void Window_propagator::relax_along_edge(Index corner, bool is_incoming)
         {distance, is_on_axis ? Vec2{1., 0.} : corner_angle(t, far_corner),
          is_incoming || !is_on_axis ? far_corner : t.twin[corner], v},
         m_state.vertices[v].source, m_state.error(v));
-}
-
-// Emits windows from a vertex at which a shortest path may bend, into all directions whose angle to
-// the source is at least pi to the left and to the right.
-void Window_propagator::create_pseudosource_windows(Index v)
-{
-  const Surface_arrays& t = *m_state.triangles;
-  const Index entry_corner = m_state.vertices[v].corner;
-  const Vec2 direction = m_state.vertices[v].direction;
-  const double right_angle = std::atan2(std::max(direction[1], 0.), direction[0]);
-  const double left_angle = interior_angle(t, entry_corner) - right_angle;
-  double total_angle = right_angle + left_angle;
-  Index fan_size = 1, corner = next_corner_ccw(t, entry_corner);
-  for(; corner != none && corner != entry_corner; corner = next_corner_ccw(t, corner), ++fan_size)
-    total_angle += interior_angle(t, corner);
-  const bool is_closed = corner == entry_corner;
-  if(!is_closed)
-    total_angle = infinity;
-  double angle = left_angle; // from the direction to the source to the corner, counterclockwise
-  for(corner = next_corner_ccw(t, entry_corner);
-      corner != none && corner != entry_corner && angle < total_angle - pi;
-      corner = next_corner_ccw(t, corner))
-  {
-    emit_window(corner, pi - angle, total_angle - pi - angle);
-    angle += interior_angle(t, corner);
-  }
-  if(!is_closed)
-  {
-    angle = right_angle;
-    for(corner = next_corner_cw(t, entry_corner); corner != none;
-        corner = next_corner_cw(t, corner), ++fan_size)
-    {
-      angle += interior_angle(t, corner);
-      emit_window(corner, 0., angle - pi);
-    }
-  }
-  if(fan_size < t.ring_begin[v + 1] - t.ring_begin[v])
-    emit_windows_of_other_fans(v);
-}
-
-// Emits windows into the fans of a non-manifold vertex through which the path did not arrive.
-void Window_propagator::emit_windows_of_other_fans(Index v)
-{
-  const Surface_arrays& t = *m_state.triangles;
-  for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
-    if(!are_in_same_fan(t, m_state.vertices[v].corner, t.ring[i]))
-      emit_window(t.ring[i], 0., pi);
-}
-
-// Enqueues a window on the edge opposite to a corner, between two angles from the halfedge that
-// leaves the corner.
-void Window_propagator::emit_window(Index corner, double from, double to)
-{
-  const Surface_arrays& t = *m_state.triangles;
-  const Index h = next_halfedge(corner);
-  const double length = t.length[h], right = t.length[corner],
-               left = t.length[previous_halfedge(corner)], opening = interior_angle(t, corner);
-  from = std::max(from, 0.);
-  if(t.twin[h] == none || !(length > 0.) ||
-     !(std::min(to, opening) - from > straight_angle_tolerance))
-    return;
-  const auto position_at = [&](double angle) // distance from the left end of the edge
-  {
-    const double right_weight = right * std::sin(angle),
-                 left_weight = left * std::sin(opening - angle);
-    return right_weight + left_weight > 0. ? length * (left_weight / (right_weight + left_weight))
-                                           : 0.5 * length;
-  };
-  const Vec2 apex_point = third_corner(length, left, right);
-  enqueue(t.twin[h], {{apex_point[0], -apex_point[1]},
-                      m_state.vertices[t.corner[corner]].distance,
-                      to < opening ? position_at(to) : 0.,
-                      from > 0. ? position_at(from) : length,
-                      t.corner[corner],
-                      m_state.error(t.corner[corner])});
 }
 
 // Moves the waiting windows of a halfedge that may be on a shortest path to m_state.windows, in the

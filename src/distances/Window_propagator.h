@@ -13,6 +13,7 @@
 namespace CGAL::Geodesic_processing::internal {
 
 class Window_goal;
+struct Continued_line;
 
 // The relative round-off error of a sum of thousands of lengths is smaller.
 constexpr double round_off_tolerance = 1e-12;
@@ -57,8 +58,10 @@ private:
   void finalize_vertex(Index vertex);
   void relax_along_edge(Index corner, bool is_incoming);
   void create_pseudosource_windows(Index vertex);
+  void emit_windows_behind(const Continued_line& line, bool is_left, Index end);
   void emit_windows_of_other_fans(Index vertex);
-  void emit_window(Index corner, double from, double to);
+  void emit_window(Index corner);
+  void emit_window(Index corner, double begin, double end);
 
   // The window with the smallest distance at the apex of the triangle that windows cross.
   struct Nearest_window

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace unfold_test {
@@ -17,6 +18,45 @@ TEST(Unfold, area_of_needle_keeps_its_digits)
   EXPECT_NEAR(twice_area(1., 1., 2e-8), 2e-8, 1e-15 * 2e-8);
   EXPECT_EQ(twice_area(3., 4., 5.), 12.);
   EXPECT_EQ(twice_area(1., 1., 3.), 0.);
+}
+
+// Returns a triangle with these edge lengths.
+Surface_arrays triangle(const std::array<double, 3>& lengths)
+{
+  Surface_arrays result;
+  result.length.assign(lengths.begin(), lengths.end());
+  return result;
+}
+
+TEST(Unfold, cosine_and_sine_keep_their_digits_in_isosceles_triangles)
+{
+  for(const double base : {1e-9, 1e-7, 0.1, 1., 1.9, 2. - 1e-13})
+  {
+    const double height = std::sqrt((1. - 0.5 * base) * (1. + 0.5 * base));
+    const Surface_arrays t = triangle({base, 1., 1.});
+    for(Index corner = 0; corner < 3; ++corner)
+    {
+      const Vec2 expected =
+          corner < 2 ? Vec2{0.5 * base, height} : Vec2{1. - 0.5 * base * base, base * height};
+      const Vec2 result = cosine_and_sine(t, corner);
+      EXPECT_NEAR(result[0], expected[0], 1e-15);
+      EXPECT_NEAR(result[1], expected[1], 1e-15 * expected[1]);
+    }
+  }
+}
+
+TEST(Unfold, cosine_and_sine_are_those_of_the_interior_angle)
+{
+  // Also a triangle that violates the triangle inequality, and edges of length zero.
+  for(const std::array<double, 3>& lengths :
+      {std::array<double, 3>{3., 4., 5.}, {2., 3., 4.}, {1., 1., 3.}, {0., 1., 1.}, {0., 0., 0.}})
+    for(Index corner = 0; corner < 3; ++corner)
+    {
+      const double angle = interior_angle(triangle(lengths), corner);
+      const Vec2 result = cosine_and_sine(triangle(lengths), corner);
+      EXPECT_NEAR(result[0], std::cos(angle), 1e-15);
+      EXPECT_NEAR(result[1], std::sin(angle), 1e-15);
+    }
 }
 
 TEST(Unfold, third_corner_has_given_distances)

@@ -4,6 +4,8 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
+#include "core/unfold.h"
+
 #include "propagate_windows.h"
 
 #include <gtest/gtest.h>
@@ -38,6 +40,28 @@ TEST(Window_propagator, pseudo_sources_are_saddle_and_boundary_vertices)
   EXPECT_FALSE((*find_pseudo_sources(tip.t()))[tip.vertex(0)]);
   for(Index i = tip.size() - 12; i < tip.size(); ++i)
     EXPECT_TRUE((*find_pseudo_sources(tip.t()))[tip.vertex(i)]);
+}
+
+TEST(Window_propagator, pseudo_sources_have_an_angle_sum_above_two_pi)
+{
+  for(const Triangulation& triangulation :
+      {icosphere(3), torus(24, 16), square(9, 0.), square(9, 0.3), cone(7, 1, 6.3)})
+  {
+    const Array_surface surface(triangulation);
+    const Surface_arrays& t = surface.t();
+    const auto is_pseudo_source = find_pseudo_sources(t);
+    for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
+    {
+      double total_angle = 0.;
+      bool is_boundary = false;
+      for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+      {
+        total_angle += interior_angle(t, t.ring[i]);
+        is_boundary = is_boundary || t.twin[t.ring[i]] == none;
+      }
+      EXPECT_EQ((*is_pseudo_source)[vertex], is_boundary || total_angle > 2. * pi + 1e-8);
+    }
+  }
 }
 
 TEST(Window_propagator, state_can_be_cleared)
