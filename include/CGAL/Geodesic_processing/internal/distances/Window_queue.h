@@ -34,7 +34,9 @@ public:
   explicit Window_queue(std::size_t number_of_items = 0) : m_slot(number_of_items, none) {}
 
   bool empty() const { return m_heap.empty(); }
+  // The item with the smallest key; requires one.
   double smallest_key() const { return m_heap.front().key; }
+  const Item& front() const { return m_items[m_heap.front().vertex]; }
 
   // Inserts an item, or changes its key if it is in the queue. Returns the windows that wait at it;
   // the reference is valid until the next insertion.
