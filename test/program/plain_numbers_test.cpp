@@ -4,15 +4,35 @@
 
 #include <gtest/gtest.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <optional>
 #include <random>
 #include <string>
 
 namespace plain_numbers_test {
 
-using program::plain_integer;
-using program::plain_number;
+// Returns the value of a whole word, or nothing if it is left to the general parser.
+template <typename Value>
+std::optional<Value> parse(const char* (*parser)(const char*, Value&), const std::string& word)
+{
+  const std::string padded = word + '\n' + std::string(program::padding_of_numbers, '7');
+  Value value;
+  const char* const end = parser(padded.data(), value);
+  return end == padded.data() + word.size() ? std::optional<Value>(value) : std::nullopt;
+}
+
+std::optional<double> plain_number(const std::string& word)
+{
+  return parse(program::parse_plain_number, word);
+}
+
+std::optional<long long> plain_integer(const std::string& word)
+{
+  return parse(program::parse_plain_integer, word);
+}
 
 // Returns a random word: mostly a decimal number, sometimes with a character too many.
 std::string random_word(std::mt19937& random)
@@ -59,6 +79,40 @@ TEST(Plain_numbers, AgreeWithTheStandardLibrary)
   EXPECT_GT(number_of_plain_numbers, 10000); // otherwise hardly any number is compared
 }
 
+TEST(Plain_numbers, ShortestFormsOfDoublesAreReadBack)
+{
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> exponent(-4., 9.);
+  int number_of_plain_numbers = 0;
+  for(int i = 0; i < 200000; ++i)
+  {
+    const double expected = std::pow(10., exponent(random));
+    char word[32];
+    *std::to_chars(word, word + sizeof word - 1, expected).ptr = '\0';
+    const std::optional<double> value = plain_number(word);
+    number_of_plain_numbers += value.has_value() ? 1 : 0;
+    ASSERT_EQ(value.value_or(expected), expected) << word;
+  }
+  if(std::numeric_limits<long double>::digits == 64)
+  {
+    EXPECT_GT(number_of_plain_numbers, 190000);
+  }
+}
+
+// Exactly between two doubles, and close to it
+TEST(Plain_numbers, TiesAreRoundedCorrectly)
+{
+  for(const char* word :
+      {"9007199254740993", "9007199254740995", "900719925474099.3", "900719925474099.25",
+       "900719925474099.3125", "4503599627370497.5", "4503599627370497.499", "4503599627370498.5",
+       "4503599627370498.501", "18014398509481985", "18014398509481986", "18014398509481987",
+       "1.000000000000000111", "1.00000000000000011", "9223372036854775807e3"})
+    if(const std::optional<double> value = plain_number(word))
+    {
+      EXPECT_EQ(*value, std::strtod(word, nullptr)) << word;
+    }
+}
+
 TEST(Plain_numbers, WordsThatAreNoNumbersAreLeftToTheGeneralParser)
 {
   for(const char* word : {"",      "-",
@@ -83,6 +137,8 @@ TEST(Plain_numbers, LimitsOfTheExactRangeAreRead)
   EXPECT_EQ(plain_number("1e-22"), 1e-22);
   EXPECT_EQ(plain_number("5."), 5.);
   EXPECT_EQ(plain_number(".5"), .5);
+  EXPECT_EQ(plain_number("00000000000000000000012.5"), 12.5); // zeros before 19 digits
+  EXPECT_EQ(plain_number("0.0000000000000000000001"), 1e-22);
   EXPECT_EQ(plain_integer("999999999999999999"), 999999999999999999ll);
 }
 

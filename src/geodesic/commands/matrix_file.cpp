@@ -42,7 +42,7 @@ std::vector<long long> read_regions(const std::string& text, const Surface& surf
     }
     return result;
   }
-  const std::string bytes = read_bytes(text);
+  const Bytes bytes = read_bytes(text);
   Scanner scanner(bytes, text, '#');
   while(scanner.next_line())
   {

@@ -16,7 +16,7 @@ namespace {
 // Reads a file with one number per line.
 std::vector<double> read_masses_file(const std::string& name, std::size_t number)
 {
-  const std::string bytes = read_bytes(name);
+  const Bytes bytes = read_bytes(name);
   Scanner scanner(bytes, name, '#');
   std::vector<double> result;
   while(scanner.next_line())

@@ -88,7 +88,8 @@ void check_png_support(const std::string&) {}
 Image read_image(const std::string& filename)
 {
   constexpr std::size_t max_number_of_pixels = std::size_t{1} << 25; // less than a gigabyte
-  const std::string bytes = read_bytes(filename);
+  const Bytes file = read_bytes(filename);
+  const std::string_view bytes = file;
   if(file_extension(filename) != "png")
     fail(filename, "the extension of an image must be .png");
   const std::string error_message = "it is not a valid PNG image";

@@ -5,6 +5,7 @@
 
 #include "readers/Scanner.h"
 #include "readers/binary_numbers.h"
+#include "readers/read_bytes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -92,7 +93,7 @@ private:
   Json m_json;
   std::optional<std::string_view> m_binary;     // of a GLB file
   std::map<std::size_t, std::string> m_buffers; // in data URIs, once they are decoded
-  std::map<std::string, std::string> m_files;   // other files, once they are read
+  std::map<std::string, Bytes> m_files;         // other files, once they are read
 };
 
 } // namespace program

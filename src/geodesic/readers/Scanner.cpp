@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/Scanner.h"
 
-#include "readers/plain_numbers.h"
-
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -12,66 +11,90 @@ namespace program {
 
 namespace {
 
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-
-// Returns the position of the first character that satisfies a condition, or the
-// size of the text. Faster than the search of std::string_view for one of several characters.
-template <typename Condition>
-std::size_t find_first(std::string_view text, Condition condition)
+// Returns the number of bytes before the lines that are copied.
+std::size_t begin_of_last_lines(std::string_view text)
 {
-  const char *const begin = text.data(), *const end = begin + text.size();
-  const char* c = begin;
-  while(c != end && !condition(*c))
-    ++c;
-  return static_cast<std::size_t>(c - begin);
+  if(text.size() < padding_of_numbers)
+    return 0;
+  const std::size_t line_end = text.rfind('\n', text.size() - padding_of_numbers);
+  return line_end == std::string_view::npos ? 0 : line_end + 1;
 }
 
 } // namespace
 
-bool Scanner::is_separator(char c) const
+Scanner::Scanner(std::string_view text, std::string name, char comment_mark, Separators separators)
+    : m_begin(text.data()), m_last_lines(text.substr(begin_of_last_lines(text))),
+      m_name(std::move(name))
 {
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f' ||
-         (splits_at_commas && (c == ',' || c == ';'));
+  for(const char c : {' ', '\t', '\v', '\f'})
+    kind(c) = Character::separator;
+  if(separators == Separators::blanks_and_commas)
+    kind(',') = kind(';') = Character::separator;
+  for(const char c : {'\n', '\r'})
+    kind(c) = Character::line_end;
+  if(comment_mark != 0)
+    kind(comment_mark) = Character::line_end;
+  m_end = m_begin + text.size() - m_last_lines.size();
+  m_last_lines += '\n';
+  m_last_lines.append(padding_of_numbers, '\0');
+  // No line has begun.
+  m_position = &m_last_lines[m_last_lines.size() - padding_of_numbers - 1];
+}
+
+// Advances to the end of the line and behind it, unless it is the end of all lines.
+void Scanner::skip_line()
+{
+  while(*m_position != '\n' && *m_position != '\r')
+    ++m_position;
+  if(m_position == m_end)
+    return;
+  const bool has_two_characters =
+      m_position[0] == '\r' && m_position + 1 != m_end && m_position[1] == '\n';
+  m_position += has_two_characters ? 2 : 1;
+}
+
+// Continues with the lines that are copied. Returns false if there are none, or if they are at
+// their end.
+bool Scanner::enter_last_lines()
+{
+  const char* const end = &m_last_lines[m_last_lines.size() - padding_of_numbers - 1];
+  const bool is_entered = m_end == end;
+  if(!is_entered)
+    m_position = m_last_lines.data();
+  m_end = end;
+  return !is_entered && m_position != m_end;
 }
 
 bool Scanner::next_line()
 {
-  while(!m_rest.empty())
+  do
   {
-    const std::size_t end = find_first(m_rest, is_line_end);
-    m_line = m_rest.substr(0, end);
-    if(end == m_rest.size())
-      m_rest = {};
+    if(m_number == 0)
+      m_position = m_begin;
     else
-      m_rest.remove_prefix(end + (m_rest.substr(end, 2) == "\r\n" ? 2 : 1));
+      skip_line();
+    if(m_position == m_end && !enter_last_lines())
+    {
+      m_begin = m_position = m_end;
+      return false;
+    }
     ++m_number;
-    if(m_comment_mark != 0)
-      m_line = m_line.substr(0, m_line.find(m_comment_mark));
-    if(!is_line_empty())
-      return true;
-  }
-  m_line = {};
-  return false;
+  } while(is_line_empty());
+  return true;
 }
 
-void Scanner::skip_separators()
+bool Scanner::starts_with(std::string_view prefix) const
 {
-  m_line.remove_prefix(find_first(m_line, [this](char c) { return !is_separator(c); }));
-}
-
-bool Scanner::is_line_empty()
-{
-  skip_separators();
-  return m_line.empty();
+  return std::equal(prefix.begin(), prefix.end(), m_position);
 }
 
 std::string_view Scanner::word()
 {
   skip_separators();
-  const std::size_t end = find_first(m_line, [this](char c) { return is_separator(c); });
-  const std::string_view result = m_line.substr(0, end);
-  m_line.remove_prefix(result.size());
-  return result;
+  const char* const begin = m_position;
+  while(kind(*m_position) == Character::of_word)
+    ++m_position;
+  return {begin, static_cast<std::size_t>(m_position - begin)};
 }
 
 std::string_view Scanner::next_word()
@@ -117,8 +140,6 @@ long long Scanner::parse_integer(std::string_view word) const
 
 std::optional<double> to_number(std::string_view word)
 {
-  if(const std::optional<double> value = plain_number(word))
-    return value;
   if(word.size() > 1 && word[0] == '+' && word[1] != '-')
     word.remove_prefix(1);
   double value = 0.;
@@ -134,8 +155,6 @@ std::optional<double> to_number(std::string_view word)
 
 std::optional<long long> to_integer(std::string_view word)
 {
-  if(const std::optional<long long> value = plain_integer(word))
-    return value;
   if(word.size() > 1 && word[0] == '+' && word[1] != '-')
     word.remove_prefix(1);
   long long value = 0;

@@ -4,7 +4,9 @@
 #define GEODESIC_PROGRAM_READERS_SCANNER_H
 
 #include "readers/Input_error.h"
+#include "readers/plain_numbers.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -14,28 +16,67 @@ namespace program {
 
 // Iterates over the lines of a text and over the words of a line. Error messages contain the line
 // number.
+//
+// No function compares its position with the end of the text: each line ends with a line feed. The
+// last lines are copied, because they can lack it, and because numbers are parsed 8 bytes at a
+// time.
 class Scanner
 {
 public:
-  // The rest of a line after comment_mark is skipped. If it is 0, the format has no comments.
-  Scanner(std::string_view bytes, std::string name, char comment_mark)
-      : m_rest(bytes), m_name(std::move(name)), m_comment_mark(comment_mark)
-  {}
+  enum class Separators
+  {
+    blanks,           // and tabs
+    blanks_and_commas // and semicolons
+  };
+
+  // Keeps a view of the text. The rest of a line after comment_mark is skipped. If it is 0, the
+  // format has no comments.
+  Scanner(std::string_view text, std::string name, char comment_mark,
+          Separators separators = Separators::blanks);
+  Scanner(const Scanner&) = delete;
+  Scanner& operator=(const Scanner&) = delete;
 
   // Advances to the next line that contains a word. Returns false at the end of the text. Lines
   // end with a line feed, a carriage return, or both.
   bool next_line();
 
-  // Returns the next word of the line, or an empty word at its end. Words are separated by blanks
-  // and tabs and, if `splits_at_commas` is set, by commas and semicolons.
+  // Returns whether the line has no more words.
+  bool is_line_empty()
+  {
+    skip_separators();
+    return is_line_end(*m_position);
+  }
+
+  // Returns whether the rest of the line begins with a prefix, which contains no line end.
+  bool starts_with(std::string_view prefix) const;
+
+  // Returns the next word of the line, or an empty word at its end.
   std::string_view word();
-  bool splits_at_commas = false;
 
   // Returns the next word of this or a later line, or an empty word at the end of the text.
   std::string_view next_word();
 
-  std::string_view rest_of_line() const { return m_line; }
-  bool is_line_empty();
+  // Advances behind the next word of the line and returns true if it is a number, or an integer
+  // without sign, that is parsed fast. Otherwise, word() returns it.
+  bool take_plain_number(double& value) { return take(parse_plain_number, value); }
+  bool take_plain_integer(long long& value) { return take(parse_plain_integer, value); }
+
+  // Returns the value of the next word of the line. Fails as the function that parses a word.
+  double number()
+  {
+    double value;
+    return take_plain_number(value) ? value : parse_number(word());
+  }
+  double coordinate()
+  {
+    double value;
+    return take_plain_number(value) ? value : parse_coordinate(word());
+  }
+  long long integer()
+  {
+    long long value;
+    return take_plain_integer(value) ? value : parse_integer(word());
+  }
 
   // Throws Input_error: "NAME, line N: REASON."
   [[noreturn]] void fail(const std::string& reason) const;
@@ -45,14 +86,44 @@ public:
   long long parse_integer(std::string_view word) const; // fails if it is not an integer
 
 private:
-  bool is_separator(char c) const;
-  void skip_separators();
+  enum class Character : unsigned char
+  {
+    of_word,
+    separator,
+    line_end // or comment mark
+  };
 
-  std::string_view m_rest;
-  std::string_view m_line;
+  Character& kind(char c) { return m_kinds[static_cast<unsigned char>(c)]; }
+  bool is_separator(char c) { return kind(c) == Character::separator; }
+  bool is_line_end(char c) { return kind(c) == Character::line_end; }
+
+  void skip_separators()
+  {
+    while(is_separator(*m_position))
+      ++m_position;
+  }
+
+  template <typename Value>
+  bool take(const char* (*parse)(const char*, Value&), Value& value)
+  {
+    skip_separators();
+    const char* const end = parse(m_position, value);
+    if(end == nullptr || kind(*end) == Character::of_word)
+      return false;
+    m_position = end;
+    return true;
+  }
+
+  void skip_line();
+  bool enter_last_lines();
+
+  std::array<Character, 256> m_kinds{}; // of all characters
+  const char* m_position;               // in the line
+  const char* m_end;        // of the lines that are not copied, later of the copied lines
+  const char* m_begin;      // of the text
+  std::string m_last_lines; // and a line feed and padding
+  std::size_t m_number = 0; // of the line
   std::string m_name;
-  char m_comment_mark;
-  std::size_t m_number = 0;
 };
 
 // Converts the whole word to a number, independent of the locale. Accepts nan, inf and a leading

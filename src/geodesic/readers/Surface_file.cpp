@@ -29,7 +29,8 @@ Surface_file read_surface_file(const std::string& filename,
       {"xyz", read_xyz},  {"pwn", read_pwn},  {"vtp", read_vtp}, {"gltf", read_gltf},
       {"glb", read_gltf}, {"gii", read_gifti}};
   readers.insert(more_readers.begin(), more_readers.end());
-  std::string bytes = read_bytes(filename);
+  const Bytes file = read_bytes(filename);
+  const std::string_view bytes = file;
   const bool is_compressed = file_extension(filename) == "gz";
   const std::string extension =
       file_extension(is_compressed ? std::filesystem::path(filename).stem().string() : filename);
@@ -47,7 +48,7 @@ Surface_file read_surface_file(const std::string& filename,
   if(bytes.empty())
     fail(filename, "it is empty");
   if(is_compressed)
-    bytes = inflate(bytes, filename);
+    return reader->second(inflate(bytes, filename), filename);
   return reader->second(bytes, filename);
 }
 

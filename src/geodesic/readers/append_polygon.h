@@ -11,13 +11,15 @@ namespace program {
 
 // Converts to an index. Negative and too large values become the maximum index, which is never
 // valid.
-inline std::uint32_t to_index(double index)
+template <typename Number>
+std::uint32_t to_index(Number index)
 {
   constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
-  return index >= 0. && index < no_vertex ? static_cast<std::uint32_t>(index) : no_vertex;
+  return index >= 0 && index < no_vertex ? static_cast<std::uint32_t>(index) : no_vertex;
 }
 
-inline void append_corner(Surface_file& surface, double index)
+template <typename Number>
+void append_corner(Surface_file& surface, Number index)
 {
   surface.corners.push_back(to_index(index));
 }

@@ -18,8 +18,14 @@ std::vector<double> numbers_in_text(std::string_view text, const std::string& na
 {
   std::vector<double> numbers;
   Scanner scanner(text, name, 0);
-  for(std::string_view word = scanner.next_word(); !word.empty(); word = scanner.next_word())
+  for(double plain = 0.; !scanner.is_line_empty() || scanner.next_line();)
   {
+    if(scanner.take_plain_number(plain))
+    {
+      numbers.push_back(plain);
+      continue;
+    }
+    const std::string_view word = scanner.word();
     const std::optional<double> number = to_number(word);
     if(!number)
       fail(name, "'" + printable(word) + "' is not a number");

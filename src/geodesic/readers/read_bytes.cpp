@@ -10,7 +10,7 @@
 
 namespace program {
 
-std::string read_bytes(const std::string& filename)
+Bytes read_bytes(const std::string& filename)
 {
   std::error_code error;
   const auto status = std::filesystem::status(filename, error);
@@ -22,15 +22,15 @@ std::string read_bytes(const std::string& filename)
   std::ifstream file(filename, std::ios::binary);
   if(error || !file)
     fail(filename, "it cannot be opened for reading");
-  std::string bytes(size, '\0');
+  Bytes bytes(size);
   file.read(bytes.data(), static_cast<std::streamsize>(size));
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  bytes.truncate(static_cast<std::size_t>(file.gcount()));
   if(file.bad())
     fail(filename, "it cannot be read");
   return bytes;
 }
 
-std::string read_referenced_bytes(const std::string& filename, const std::string& path)
+Bytes read_referenced_bytes(const std::string& filename, const std::string& path)
 {
   const std::filesystem::path relative = std::filesystem::path(path).lexically_normal();
   if(relative.empty() || !relative.is_relative() || *relative.begin() == "..")

@@ -3,16 +3,39 @@
 #ifndef GEODESIC_PROGRAM_READERS_READ_BYTES_H
 #define GEODESIC_PROGRAM_READERS_READ_BYTES_H
 
+#include <cstddef>
+#include <memory>
 #include <string>
+#include <string_view>
 
 namespace program {
 
+// An array of bytes that is not initialized. std::string writes zeros first, which takes as long as
+// reading the bytes.
+class Bytes
+{
+public:
+  Bytes() = default;
+  explicit Bytes(std::size_t size) : m_bytes(new char[size]), m_size(size) {}
+
+  char* data() { return m_bytes.get(); }
+  std::size_t size() const { return m_size; }
+  operator std::string_view() const { return {m_bytes.get(), m_size}; }
+
+  // Keeps the first bytes. Their number must not exceed the size.
+  void truncate(std::size_t size) { m_size = size; }
+
+private:
+  std::unique_ptr<char[]> m_bytes;
+  std::size_t m_size = 0;
+};
+
 // Reads all bytes of a regular file. Throws Input_error.
-std::string read_bytes(const std::string& filename);
+Bytes read_bytes(const std::string& filename);
 
 // Reads a file to which another file refers by a path relative to its folder. Throws Input_error,
 // also if the path leaves this folder.
-std::string read_referenced_bytes(const std::string& filename, const std::string& path);
+Bytes read_referenced_bytes(const std::string& filename, const std::string& path);
 
 } // namespace program
 

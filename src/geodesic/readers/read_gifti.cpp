@@ -115,13 +115,14 @@ private:
   // Returns the bytes of an array in another file.
   std::string external_bytes(const Tag& array, std::size_t rows) const
   {
-    const std::string bytes = read_referenced_bytes(m_name, std::string(array["ExternalFileName"]));
+    const Bytes file = read_referenced_bytes(m_name, std::string(array["ExternalFileName"]));
+    const std::string_view bytes = file;
     const std::optional<long long> offset = to_integer(array["ExternalFileOffset"]);
     if(!offset || *offset < 0 || static_cast<unsigned long long>(*offset) > bytes.size())
       fail(m_name, "the offset of a data array is missing or out of range");
     const std::size_t max_rows = bytes.size() / 3;
-    return bytes.substr(static_cast<std::size_t>(*offset),
-                        3 * type(array["DataType"]).size * std::min(rows, max_rows));
+    return std::string(bytes.substr(static_cast<std::size_t>(*offset),
+                                    3 * type(array["DataType"]).size * std::min(rows, max_rows)));
   }
 
   Number_type type(std::string_view word) const

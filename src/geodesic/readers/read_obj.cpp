@@ -3,6 +3,7 @@
 #include "readers/Scanner.h"
 #include "readers/Surface_file.h"
 #include "readers/append_polygon.h"
+#include "readers/count_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,8 @@ std::size_t texture_index(std::string_view word, std::size_t count)
 // Reads the optional vertex color: three numbers after the coordinates.
 std::optional<std::array<double, 3>> read_color(Scanner& scanner)
 {
+  if(scanner.is_line_empty())
+    return std::nullopt;
   std::array<double, 3> color;
   for(double& channel : color)
   {
@@ -64,7 +67,14 @@ void set_colors(const std::vector<std::array<double, 3>>& colors, Surface_file& 
 class Obj_reader
 {
 public:
-  Obj_reader(std::string_view bytes, const std::string& name) : m_scanner(bytes, name, '#') {}
+  Obj_reader(std::string_view bytes, const std::string& name) : m_scanner(bytes, name, '#')
+  {
+    const std::size_t max_vertices = max_number_of_lines(bytes, 8, 'v'),
+                      max_faces = max_number_of_lines(bytes, 8, 'f');
+    m_surface.points.reserve(max_vertices);
+    m_surface.corners.reserve(3 * max_faces);
+    m_surface.polygon_begin.reserve(max_faces + 1);
+  }
 
   Surface_file read()
   {
@@ -89,7 +99,7 @@ private:
   {
     Point& point = m_surface.points.emplace_back();
     for(double& x : point)
-      x = m_scanner.parse_coordinate(m_scanner.word());
+      x = m_scanner.coordinate();
     if(const auto color = read_color(m_scanner))
       m_colors.push_back(*color);
   }
@@ -102,9 +112,15 @@ private:
 
   void read_face()
   {
-    for(std::string_view word = m_scanner.word(); !word.empty(); word = m_scanner.word())
+    for(long long index = 0; !m_scanner.is_line_empty();)
     {
+      if(m_scanner.take_plain_integer(index))
+      {
+        add_corner(index, no_texture_index);
+        continue;
+      }
       // A backslash at the end of a line continues the face on the next line.
+      const std::string_view word = m_scanner.word();
       if(word != "\\")
         read_corner(word);
       else if(!m_scanner.next_line())
@@ -113,19 +129,25 @@ private:
     end_polygon(m_surface);
   }
 
-  // A face may refer to vertices that follow it, so indices are checked after all vertices are
-  // read.
   void read_corner(std::string_view word)
   {
     const long long index = m_scanner.parse_integer(word.substr(0, word.find('/')));
+    add_corner(index,
+               m_has_uv ? texture_index(word, m_texture_coordinates.size()) : no_texture_index);
+  }
+
+  // Appends the vertex of a 1-based or negative index. A face may refer to vertices that follow it,
+  // so indices are checked after all vertices are read.
+  void add_corner(long long index, std::size_t texture)
+  {
     const auto count = static_cast<long long>(m_surface.points.size());
     if(index == 0 || index < -count)
       m_scanner.fail("a face has the invalid vertex index " + std::to_string(index));
-    append_corner(m_surface, static_cast<double>(index > 0 ? index - 1 : count + index));
+    append_corner(m_surface, index > 0 ? index - 1 : count + index);
     if(!m_has_uv)
       return;
-    m_corner_texture_index.push_back(texture_index(word, m_texture_coordinates.size()));
-    m_has_uv = m_corner_texture_index.back() != no_texture_index;
+    m_corner_texture_index.push_back(texture);
+    m_has_uv = texture != no_texture_index;
   }
 
   // A vertex gets the texture coordinates of its first corner. If any corner has none, all are

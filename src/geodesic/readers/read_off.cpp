@@ -62,10 +62,10 @@ Counts read_counts(std::string_view word, Scanner& scanner, std::size_t file_siz
 void read_vertex(Scanner& scanner, const Variant& variant, std::size_t i, Surface_file& surface)
 {
   for(double& x : surface.points[i])
-    x = scanner.parse_coordinate(scanner.word());
+    x = scanner.coordinate();
   if(variant.homogeneous)
   {
-    const double w = scanner.parse_coordinate(scanner.word());
+    const double w = scanner.coordinate();
     if(w == 0.)
       scanner.fail("the homogeneous coordinate of a vertex is zero");
     for(double& x : surface.points[i])
@@ -73,21 +73,21 @@ void read_vertex(Scanner& scanner, const Variant& variant, std::size_t i, Surfac
   }
   if(variant.normals)
     for(double& x : surface.normals[i])
-      x = scanner.parse_number(scanner.word());
+      x = scanner.number();
 }
 
 void read_face(Scanner& scanner, long long number_of_vertices, Surface_file& surface)
 {
-  const long long degree = scanner.parse_integer(scanner.word());
+  const long long degree = scanner.integer();
   if(degree < 0)
     scanner.fail("a face has a negative number of vertices");
   for(long long k = 0; k < degree; ++k)
   {
-    const long long index = scanner.parse_integer(scanner.word());
+    const long long index = scanner.integer();
     if(index < 0 || index >= number_of_vertices)
       scanner.fail("a face refers to vertex " + std::to_string(index) +
                    ", but the number of vertices is " + std::to_string(number_of_vertices));
-    append_corner(surface, static_cast<double>(index));
+    append_corner(surface, index);
   }
   end_polygon(surface);
 }
@@ -96,8 +96,7 @@ void read_face(Scanner& scanner, long long number_of_vertices, Surface_file& sur
 
 Surface_file read_off(std::string_view bytes, const std::string& name)
 {
-  Scanner scanner(bytes, name, '#');
-  scanner.splits_at_commas = true;
+  Scanner scanner(bytes, name, '#', Scanner::Separators::blanks_and_commas);
   if(!scanner.next_line())
     fail(name, "it is empty");
   const Variant variant = parse_variant(scanner.word(), scanner);
@@ -121,6 +120,8 @@ Surface_file read_off(std::string_view bytes, const std::string& name)
     next_line(i, counts.vertices, "vertices");
     read_vertex(scanner, variant, static_cast<std::size_t>(i), surface);
   }
+  surface.corners.reserve(3 * static_cast<std::size_t>(counts.faces));
+  surface.polygon_begin.reserve(static_cast<std::size_t>(counts.faces) + 1);
   for(long long i = 0; i < counts.faces; ++i)
   {
     next_line(i, counts.faces, "faces");

@@ -242,9 +242,12 @@ public:
 private:
   double text_value()
   {
-    const std::string_view word = m_text.next_word();
-    if(word.empty())
+    if(m_text.is_line_empty() && !m_text.next_line())
       fail(m_name, "it ends unexpectedly");
+    double plain;
+    if(m_text.take_plain_number(plain))
+      return plain;
+    const std::string_view word = m_text.word();
     const std::optional<double> number = to_number(word);
     if(!number)
       fail(m_name, "'" + printable(word) + "' is not a number");

@@ -2,67 +2,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/Scanner.h"
 #include "readers/Surface_file.h"
+#include "readers/count_lines.h"
+
+#include <utility>
 
 namespace program {
 
 namespace {
 
 // Rows of numbers, all with the same number of columns.
-struct Table
+struct Rows
 {
   std::optional<double> count; // a single number on the first line
   std::size_t columns = 0;
-  std::vector<double> values;
-  std::size_t rows() const { return columns == 0 ? 0 : values.size() / columns; }
+  Surface_file surface; // the first three columns, and the next three as normals if they exist
 };
 
-Table read_table(std::string_view bytes, const std::string& name)
+Rows read_rows(std::string_view bytes, const std::string& name)
 {
-  Table table;
-  Scanner scanner(bytes, name, '#');
-  scanner.splits_at_commas = true;
-  std::vector<double> row;
+  Rows rows;
+  Surface_file& surface = rows.surface;
+  Scanner scanner(bytes, name, '#', Scanner::Separators::blanks_and_commas);
   for(bool is_first_line = true; scanner.next_line(); is_first_line = false)
   {
-    if(scanner.rest_of_line().substr(0, 2) == "//")
+    if(scanner.starts_with("//"))
       continue;
-    row.clear();
-    for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
-      row.push_back(row.size() < 3 ? scanner.parse_coordinate(word) : scanner.parse_number(word));
-    // Some writers begin with the number of points.
-    if(is_first_line && row.size() == 1)
+    std::array<Point, 2> row;
+    std::size_t columns = 0;
+    for(; !scanner.is_line_empty(); ++columns)
     {
-      table.count = row[0];
+      const double x = columns < 3 ? scanner.coordinate() : scanner.number();
+      if(columns < 6)
+        row[columns / 3][columns % 3] = x;
+    }
+    // Some writers begin with the number of points.
+    if(is_first_line && columns == 1)
+    {
+      rows.count = row[0][0];
       continue;
     }
-    if(row.size() < 3)
+    if(columns < 3)
       scanner.fail("a point needs three coordinates");
-    if(table.columns == 0)
-      table.columns = row.size();
-    if(row.size() != table.columns)
-      scanner.fail("it has " + std::to_string(row.size()) +
-                   " numbers, but the previous lines have " + std::to_string(table.columns));
-    table.values.insert(table.values.end(), row.begin(), row.end());
+    if(rows.columns == 0)
+    {
+      rows.columns = columns;
+      surface.points.reserve(max_number_of_lines(bytes, std::string_view("0 0 0\n").size()));
+      if(columns >= 6)
+        surface.normals.reserve(surface.points.capacity());
+    }
+    if(columns != rows.columns)
+      scanner.fail("it has " + std::to_string(columns) + " numbers, but the previous lines have " +
+                   std::to_string(rows.columns));
+    surface.points.push_back(row[0]);
+    if(columns >= 6)
+      surface.normals.push_back(row[1]);
   }
-  return table;
+  return rows;
 }
 
-Surface_file from_table(const Table& table, std::size_t number_of_points, bool normals_after_points)
+Surface_file with_checked_count(Rows rows, const std::string& name)
 {
-  Surface_file surface;
-  surface.points.resize(number_of_points);
-  const bool has_normals = normals_after_points || table.columns >= 6;
-  if(has_normals)
-    surface.normals.resize(number_of_points);
-  for(std::size_t i = 0; i < number_of_points; ++i)
-    for(std::size_t c = 0; c < 3; ++c)
-    {
-      surface.points[i][c] = table.values[i * table.columns + c];
-      if(has_normals)
-        surface.normals[i][c] = normals_after_points ? table.values[(i + number_of_points) * 3 + c]
-                                                     : table.values[i * table.columns + 3 + c];
-    }
-  return surface;
+  const std::size_t number_of_points = rows.surface.points.size();
+  if(rows.count && *rows.count != static_cast<double>(number_of_points))
+    fail(name, "the count in its first line differs from the number of points, " +
+                   std::to_string(number_of_points));
+  return std::move(rows.surface);
 }
 
 } // namespace
@@ -70,21 +74,21 @@ Surface_file from_table(const Table& table, std::size_t number_of_points, bool n
 // Reads rows of x y z or x y z nx ny nz, optionally after a count. Additional columns are skipped.
 Surface_file read_xyz(std::string_view bytes, const std::string& name)
 {
-  const Table table = read_table(bytes, name);
-  if(table.count && *table.count != static_cast<double>(table.rows()))
-    fail(name, "the count in its first line differs from the number of points, " +
-                   std::to_string(table.rows()));
-  return from_table(table, table.rows(), false);
+  return with_checked_count(read_rows(bytes, name), name);
 }
 
 // Reads rows with normals. If a count precedes them, the file contains all points and then all
 // normals.
 Surface_file read_pwn(std::string_view bytes, const std::string& name)
 {
-  const Table table = read_table(bytes, name);
-  if(table.count && table.columns == 3 && *table.count * 2. == static_cast<double>(table.rows()))
-    return from_table(table, table.rows() / 2, true);
-  return read_xyz(bytes, name);
+  Rows rows = read_rows(bytes, name);
+  std::vector<Point>& points = rows.surface.points;
+  if(!rows.count || rows.columns != 3 || *rows.count * 2. != static_cast<double>(points.size()))
+    return with_checked_count(std::move(rows), name);
+  const auto first_normal = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
+  rows.surface.normals.assign(first_normal, points.end());
+  points.erase(first_normal, points.end());
+  return std::move(rows.surface);
 }
 
 } // namespace program
