@@ -4,7 +4,6 @@
 
 #include "readers/append_polygon.h"
 
-#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -12,56 +11,101 @@ namespace program {
 
 namespace {
 
-constexpr std::uint32_t empty_slot = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
-std::uint64_t hash(const Point& point)
+// Returns a number whose highest bits differ for points that differ in few bits.
+std::uint64_t hash_of(const Point& point)
 {
-  std::uint64_t result = 0;
-  for(const double x : point)
+  constexpr std::uint64_t factors[] = {0x9e3779b97f4a7c15u, 0xbf58476d1ce4e5b9u,
+                                       0x94d049bb133111ebu};
+  std::uint64_t sum = 0;
+  for(std::size_t k = 0; k < 3; ++k)
   {
     std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    // One step of splitmix64, because coordinates on a grid differ in few bits.
-    result += bits + 0x9e3779b97f4a7c15u;
-    result = (result ^ (result >> 30)) * 0xbf58476d1ce4e5b9u;
-    result = (result ^ (result >> 27)) * 0x94d049bb133111ebu;
-    result ^= result >> 31;
+    std::memcpy(&bits, &point[k], sizeof bits);
+    // The lowest bits of small integers and of floats are zero.
+    sum += (bits ^ (bits >> 32)) * factors[k];
   }
-  return result;
+  return (sum ^ (sum >> 32)) * factors[0];
 }
 
 } // namespace
 
-std::size_t Welder::slot(const Point& point) const
+Welder::Welder(Surface_file& surface, std::size_t expected_points) : m_surface(surface)
 {
-  const std::size_t mask = m_slots.size() - 1;
-  std::size_t result = hash(point) & mask;
-  while(m_slots[result] != empty_slot && m_surface.points[m_slots[result]] != point)
-    result = (result + 1) & mask;
-  return result;
+  unsigned log2_of_size = 10;
+  while(std::size_t{1} << log2_of_size < 2 * expected_points)
+    ++log2_of_size;
+  resize(log2_of_size);
 }
 
-void Welder::grow()
+// Returns the slot of a vertex with these coordinates, or the empty slot where it must be inserted.
+Welder::Slot& Welder::find(const Corner& corner)
 {
-  constexpr std::size_t min_size = 1024;
-  m_slots.assign(std::max(min_size, 2 * m_slots.size()), empty_slot);
+  const auto low_hash = static_cast<std::uint32_t>(corner.hash);
+  Slot* slot = &first_slot(corner.hash);
+  while(slot->vertex != no_vertex &&
+        (slot->hash != low_hash || m_surface.points[slot->vertex] != corner.point))
+    slot = slot == &m_slots.back() ? m_slots.data() : slot + 1;
+  return *slot;
+}
+
+void Welder::resize(unsigned log2_of_size)
+{
+  m_slots.assign(std::size_t{1} << log2_of_size, {no_vertex, 0});
+  m_shift = 64 - log2_of_size;
   for(std::size_t i = 0; i < m_surface.points.size(); ++i)
-    m_slots[slot(m_surface.points[i])] = static_cast<std::uint32_t>(i);
+  {
+    const Corner corner = {m_surface.points[i], hash_of(m_surface.points[i])};
+    find(corner) = {to_index(i), static_cast<std::uint32_t>(corner.hash)};
+  }
 }
 
-std::uint32_t Welder::index(Point point)
+// Grows the table until at least half of the slots stay empty.
+void Welder::reserve(std::size_t number_of_new_points)
 {
-  for(double& x : point)
-    x += 0.; // -0 becomes 0
-  if(2 * (m_surface.points.size() + 1) > m_slots.size())
-    grow();
-  std::uint32_t& index = m_slots[slot(point)];
-  if(index == empty_slot)
+  if(2 * (m_surface.points.size() + number_of_new_points) > m_slots.size())
+    resize(65 - m_shift);
+}
+
+Welder::Corner Welder::corner_at(const Point& point)
+{
+  const Point normalized = {point[0] + 0., point[1] + 0., point[2] + 0.}; // -0 becomes 0
+  return {normalized, hash_of(normalized)};
+}
+
+std::uint32_t Welder::insert(const Corner& corner)
+{
+  Slot& slot = find(corner);
+  if(slot.vertex == no_vertex)
   {
-    index = to_index(static_cast<double>(m_surface.points.size()));
-    m_surface.points.push_back(point);
+    slot = {to_index(m_surface.points.size()), static_cast<std::uint32_t>(corner.hash)};
+    m_surface.points.push_back(corner.point);
   }
-  return index;
+  return slot.vertex;
+}
+
+std::uint32_t Welder::index(const Point& point)
+{
+  reserve(1);
+  return insert(corner_at(point));
+}
+
+void Welder::append_corner(const Point& point)
+{
+  const Corner corner = corner_at(point);
+  __builtin_prefetch(&first_slot(corner.hash));
+  m_new_corners[m_number_of_new_corners] = corner;
+  if(++m_number_of_new_corners == m_new_corners.size())
+    flush();
+}
+
+void Welder::flush()
+{
+  reserve(m_number_of_new_corners);
+  for(std::size_t i = 0; i < m_number_of_new_corners; ++i)
+    m_surface.corners.push_back(insert(m_new_corners[i]));
+  m_number_of_new_corners = 0;
 }
 
 } // namespace program
