@@ -49,9 +49,9 @@ inline void append_digits(Digits& digits)
 // needs more than one operation of exact numbers (Clinger 1990).
 inline bool scale_by_power_of_ten(std::uint64_t integer, int power, double& value)
 {
-  constexpr double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                               1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                               1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  static constexpr double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   constexpr int max_power = 22;
   if(power < -max_power || power > max_power)
     return false;

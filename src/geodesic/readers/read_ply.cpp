@@ -193,6 +193,21 @@ public:
 
   void list(const Property& property, std::vector<double>& values)
   {
+    values.resize(list_size(property));
+    for(double& x : values)
+      x = value(property.type);
+  }
+
+  // Appends the polygon whose corners are the values of a list.
+  void polygon(const Property& property, Surface_file& surface)
+  {
+    for(std::size_t size = list_size(property); size > 0; --size)
+      append_corner(surface, value(property.type));
+    end_polygon(surface);
+  }
+
+  std::size_t list_size(const Property& property)
+  {
     const double count = value(*property.count);
     const double min_size =
         m_encoding == Encoding::ascii ? 1. : static_cast<double>(property.type.size);
@@ -200,9 +215,7 @@ public:
       fail(m_name, "the length of a list is not a nonnegative integer");
     if(count * min_size > static_cast<double>(m_bytes.size()))
       fail(m_name, "a list is longer than the file");
-    values.resize(static_cast<std::size_t>(count));
-    for(double& x : values)
-      x = value(property.type);
+    return static_cast<std::size_t>(count);
   }
 
   // Returns the next bytes of a binary body and advances behind them.
@@ -437,6 +450,9 @@ void read_others(Body& body, const Element& element, Surface_file& surface)
     surface.corners.reserve(std::min(3 * element.count, body.size()));
     surface.polygon_begin.reserve(element.count + 1);
   }
+  std::vector<bool> has_corners; // #properties
+  for(const Property& property : element.properties)
+    has_corners.push_back(is_corner_list(property));
   std::vector<double> values;
   for(std::size_t i = 0; i < element.count; ++i)
   {
@@ -444,23 +460,21 @@ void read_others(Body& body, const Element& element, Surface_file& surface)
       i += body.take_triangles(element.count - i, first.type.kind == 'i', surface);
     if(i == element.count)
       break;
-    for(const Property& property : element.properties)
+    for(std::size_t p = 0; p < has_corners.size(); ++p)
     {
+      const Property& property = element.properties[p];
       if(!property.count)
       {
         body.value(property.type);
         continue;
       }
-      body.list(property, values);
-      if(!is_corner_list(property))
-        continue;
-      if(is_face)
+      if(is_face && has_corners[p])
       {
-        for(const double index : values)
-          append_corner(surface, index);
-        end_polygon(surface);
+        body.polygon(property, surface);
+        continue;
       }
-      else if(is_strip)
+      body.list(property, values);
+      if(is_strip && has_corners[p])
         append_strip(surface, values);
     }
   }
