@@ -189,7 +189,9 @@ std::string number_text(double value)
 
 std::string number_lines(const std::vector<double>& values)
 {
+  constexpr std::size_t usual_size = 20;
   std::string text;
+  text.reserve(usual_size * values.size());
   for(const double value : values)
   {
     append_number(text, value);

@@ -82,14 +82,18 @@ private:
   // Appends v, v/vt, v//vn or v/vt/vn.
   void append_corner(std::size_t c)
   {
-    const std::string index = std::to_string(m_surface.corners[c] + 1);
-    m_text += ' ' + index;
+    const std::size_t index = std::size_t{m_surface.corners[c]} + 1;
+    m_text += ' ';
+    append_index(m_text, index);
     if(m_has_uv || m_has_normals)
-      m_text += '/' + (m_has_corner_uv ? std::to_string(m_texture_index.at(m_surface.corner_uv[c]))
-                       : m_has_uv      ? index
-                                       : std::string());
+      m_text += '/';
+    if(m_has_uv)
+      append_index(m_text, m_has_corner_uv ? m_texture_index.at(m_surface.corner_uv[c]) : index);
     if(m_has_normals)
-      m_text += '/' + index;
+    {
+      m_text += '/';
+      append_index(m_text, index);
+    }
   }
 
   void append_faces()

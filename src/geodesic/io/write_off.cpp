@@ -17,9 +17,10 @@ std::string to_off(const Surface_file& surface, const std::string& color_propert
   std::vector<std::array<double, 3>> colors;
   if(has_colors)
     colors = colors_of(property->second);
+  std::string line;
   for(std::size_t i = 0; i < surface.points.size(); ++i)
   {
-    std::string line;
+    line.clear();
     append_numbers(line, surface.points[i]);
     if(has_normals)
       append_numbers(line, surface.normals[i]);
@@ -29,13 +30,16 @@ std::string to_off(const Surface_file& surface, const std::string& color_propert
         line += ' ' + std::to_string(static_cast<int>(channel * 255. + 0.5));
       line += " 255";
     }
-    text.append(line, 1, std::string::npos) += "\n";
+    text.append(line, 1, std::string::npos) += '\n';
   }
   for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
   {
-    text += std::to_string(surface.polygon_begin[f + 1] - surface.polygon_begin[f]);
+    append_index(text, surface.polygon_begin[f + 1] - surface.polygon_begin[f]);
     for(std::size_t c = surface.polygon_begin[f]; c < surface.polygon_begin[f + 1]; ++c)
-      text += ' ' + std::to_string(surface.corners[c]);
+    {
+      text += ' ';
+      append_index(text, surface.corners[c]);
+    }
     text += '\n';
   }
   return text;

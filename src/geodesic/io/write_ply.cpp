@@ -44,6 +44,7 @@ public:
     append_face_header();
     append_edge_header();
     m_bytes += "end_header\n";
+    m_bytes.reserve(m_bytes.size() + max_size_of_body());
     append_vertices();
     append_faces();
     append_edges();
@@ -51,13 +52,29 @@ public:
   }
 
 private:
+  std::size_t number_of_vertices() const
+  {
+    std::size_t result = m_surface.points.size();
+    for(const std::vector<Point>& polyline : m_surface.polylines)
+      result += polyline.size();
+    return result;
+  }
+
+  std::size_t max_size_of_body() const
+  {
+    const std::size_t numbers_of_vertex = 3 + 3 + m_surface.properties.size(),
+                      numbers_of_face = 3 * m_surface.vectors.size();
+    return number_of_vertices() * (sizeof(double) * numbers_of_vertex + 2 * sizeof(std::uint32_t)) +
+           m_surface.number_of_polygons() *
+               (1 + sizeof(double) * numbers_of_face +
+                sizeof(std::uint32_t) * m_surface.face_numbers.size()) +
+           sizeof(std::uint32_t) * (m_surface.corners.size() + 2 * m_surface.edges.size());
+  }
+
   void append_vertex_header()
   {
-    std::size_t number_of_vertices = m_surface.points.size();
-    for(const std::vector<Point>& polyline : m_surface.polylines)
-      number_of_vertices += polyline.size();
     m_bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-              std::to_string(number_of_vertices) +
+              std::to_string(number_of_vertices()) +
               "\nproperty double x\nproperty double y\nproperty double z\n";
     if(!m_surface.normals.empty())
       m_bytes += "property double nx\nproperty double ny\nproperty double nz\n";

@@ -6,6 +6,7 @@
 #include "io/Output_file.h"
 #include "readers/Surface_file.h"
 
+#include <charconv>
 #include <cstring>
 
 namespace program {
@@ -23,8 +24,16 @@ void append_little_endian(std::string& bytes, Value value)
   }
   else
     bits = static_cast<std::uint64_t>(value);
+  char buffer[sizeof(Value)];
   for(std::size_t i = 0; i < sizeof(Value); ++i)
-    bytes += static_cast<char>(bits >> (8 * i) & 255u);
+    buffer[i] = static_cast<char>(bits >> (8 * i) & 255u);
+  bytes.append(buffer, sizeof buffer);
+}
+
+inline void append_index(std::string& text, std::size_t index)
+{
+  char buffer[20];
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, index).ptr);
 }
 
 template <std::size_t N>

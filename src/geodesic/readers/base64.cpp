@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/base64.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace program {
@@ -11,38 +13,56 @@ namespace {
 constexpr std::string_view digits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
+constexpr std::uint8_t no_digit = 64;
+
+// Returns the values of all characters.
+constexpr std::array<std::uint8_t, 256> values_of_digits()
+{
+  std::array<std::uint8_t, 256> values{};
+  for(std::uint8_t& value : values)
+    value = no_digit;
+  for(std::size_t i = 0; i < digits.size(); ++i)
+    values[static_cast<unsigned char>(digits[i])] = static_cast<std::uint8_t>(i);
+  return values;
+}
+
 } // namespace
 
 std::string to_base64(std::string_view bytes)
 {
-  std::string text;
-  text.reserve(base64_length(bytes.size()));
-  for(std::size_t i = 0; i < bytes.size(); i += 3)
+  std::string text(base64_length(bytes.size()), '=');
+  char* digit = text.data();
+  while(!bytes.empty())
   {
+    const std::size_t size = std::min<std::size_t>(bytes.size(), 3);
     std::uint32_t group = 0;
-    for(std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for(std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63u] : '=';
+    for(std::size_t k = 0; k < size; ++k)
+      group |= std::uint32_t{static_cast<unsigned char>(bytes[k])} << (16 - 8 * k);
+    for(std::size_t k = 0; k < size + 1; ++k)
+      digit[k] = digits[group >> (18 - 6 * k) & 63u];
+    digit += 4;
+    bytes.remove_prefix(size);
   }
   return text;
 }
 
 std::optional<std::string> from_base64(std::string_view text)
 {
+  static constexpr std::array<std::uint8_t, 256> values = values_of_digits();
   std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
   std::uint32_t group = 0;
   unsigned count = 0, padding = 0;
   for(const char c : text)
   {
     if(c == ' ' || c == '\n' || c == '\r' || c == '\t')
       continue;
-    const std::size_t digit = digits.find(c);
+    const std::uint8_t digit = values[static_cast<unsigned char>(c)];
     if(c == '=')
       ++padding;
-    else if(digit == std::string_view::npos || padding != 0)
+    else if(digit == no_digit || padding != 0)
       return std::nullopt;
-    group = group << 6 | (c == '=' ? 0u : static_cast<std::uint32_t>(digit));
+    group = group << 6 | (c == '=' ? 0u : std::uint32_t{digit});
     if(++count == 4)
     {
       if(padding > 2)
