@@ -4,10 +4,17 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_EDGES_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
+
+// Returns the length of an edge of the proximity graph that leaves a vertex of a cloud.
+inline double graph_edge_length(const Surface_arrays& t, Index vertex, Index edge)
+{
+  return norm(t.point[vertex] - t.point[t.graph.target[edge]]);
+}
 
 // Calls visit(target, length) for each edge of the proximity graph that leaves a vertex of a cloud.
 // On a mesh there are none.
@@ -20,8 +27,8 @@ void for_each_graph_edge(const Surface_arrays& t, const std::vector<double>* slo
 {
   if(t.is_cloud())
     for(Index i = t.graph.begin[vertex]; i < t.graph.begin[vertex + 1]; ++i)
-      if(!slowness || t.graph.length[i] == 0.)
-        visit(t.graph.target[i], t.graph.length[i]);
+      if(const double length = graph_edge_length(t, vertex, i); !slowness || length == 0.)
+        visit(t.graph.target[i], length);
 }
 
 // Calls visit(target, length) for each edge of the surface that leaves a vertex: edges of the

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distances/front_updates.h"
 
+#include "core/edges.h"
 #include "distances/circular_front.h"
 #include "distances/front_relaxation.h"
 
@@ -162,7 +163,7 @@ void propagate_on_cloud(Front_state& front, Index v)
   // component, these longer edges would arrive before the front through the triangles.
   for(Index i = t.graph.begin[v]; i < t.graph.begin[v + 1]; ++i)
     if((*front.components)[v] != (*front.components)[t.graph.target[i]])
-      relax_cloud_edge(front, v, from, t.graph.target[i], t.graph.length[i]);
+      relax_cloud_edge(front, v, from, t.graph.target[i], graph_edge_length(t, v, i));
   for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
   {
     const Index corner = t.ring[i], previous_corner = previous_halfedge(corner);

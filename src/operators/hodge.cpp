@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/operators/hodge.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include "core/edges.h"
 
 #include <algorithm>
 #include <numeric>
@@ -124,7 +125,7 @@ std::vector<Index> representatives(const Surface_arrays& cloud)
   for(Index vertex = 0; vertex < result.size(); ++vertex)
     if(!has_triangles(vertex))
       for(Index i = cloud.graph.begin[vertex]; i < cloud.graph.begin[vertex + 1]; ++i)
-        if(cloud.graph.length[i] == 0. && has_triangles(cloud.graph.target[i]))
+        if(graph_edge_length(cloud, vertex, i) == 0. && has_triangles(cloud.graph.target[i]))
           result[vertex] = cloud.graph.target[i];
   return result;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/base_points.h>
 
+#include "core/edges.h"
 #include "core/prefetch.h"
 #include "core/unfold.h"
 
@@ -51,7 +52,7 @@ std::vector<double> neighborhood_radii(const Surface_arrays& t, const Sampling& 
     connect(t.corner[h], t.corner[next_halfedge(h)], t.length[h]);
   for(Index vertex = 0; t.is_cloud() && vertex < t.number_of_vertices(); ++vertex)
     for(Index edge = t.graph.begin[vertex]; edge < t.graph.begin[vertex + 1]; ++edge)
-      connect(vertex, t.graph.target[edge], t.graph.length[edge]);
+      connect(vertex, t.graph.target[edge], graph_edge_length(t, vertex, edge));
 
   std::vector<double> result(number_of_samples, infinity), length(number_of_samples, infinity);
   for(Index start = 0; start < number_of_samples; ++start)

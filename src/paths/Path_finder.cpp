@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/paths/Path_finder.h>
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include "core/edges.h"
 #include "core/unfold.h"
 
 #include <algorithm>
@@ -94,7 +95,7 @@ void Path_finder::for_each_step(Index vertex, Function f)
   if(t.is_cloud())
   {
     for(Index edge = t.graph.begin[vertex]; edge < t.graph.begin[vertex + 1]; ++edge)
-      f(t.graph.target[edge], t.graph.length[edge], vertex, Step::edge);
+      f(t.graph.target[edge], graph_edge_length(t, vertex, edge), vertex, Step::edge);
     return;
   }
   for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)

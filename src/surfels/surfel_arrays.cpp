@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_neighbors.h>
+#include "core/edges.h"
 #include "surfels/delaunay_rings.h"
 
 #include <algorithm>
@@ -127,28 +128,27 @@ void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
   t.graph.target = std::move(edges.entries);
 }
 
-// Computes the lengths of all edges. Scales all lengths and coordinates by a power of two, such
+// Computes the lengths of the edges of triangles. Scales all lengths and coordinates by a power of two, such
 // that the longest edge lies in [1, 2).
 void compute_lengths(Surfel_arrays& surfels, unsigned number_of_threads)
 {
   Surface_arrays& t = surfels.arrays;
   const std::size_t n = t.point.size();
-  t.graph.length.resize(t.graph.target.size());
+  std::vector<double> longest_in_block((n + surfel_block_size - 1) / surfel_block_size, 0.);
   for_each_block(n, surfel_block_size, number_of_threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
-                   for(std::size_t i = begin; i < end; ++i)
+                   for(Index i = static_cast<Index>(begin); i < end; ++i)
                      for(Index e = t.graph.begin[i]; e < t.graph.begin[i + 1]; ++e)
-                       t.graph.length[e] = distance(t.point[i], t.point[t.graph.target[e]]);
+                       longest_in_block[block] =
+                           std::max(longest_in_block[block], graph_edge_length(t, i, e));
                  });
-  double longest = 0.;
-  for(const double length : t.graph.length)
-    longest = std::max(longest, length);
   // The edges of triangles are edges of the graph, so this is the longest of both.
+  double longest = 0.;
+  for(const double length : longest_in_block)
+    longest = std::max(longest, length);
   const int exponent = longest > 0. ? std::ilogb(longest) : 0;
   const double factor = std::ldexp(1., -exponent);
-  for(double& length : t.graph.length)
-    length *= factor;
   for(double& radius : surfels.radius)
     radius *= factor;
   surfels.tree.scale(factor);

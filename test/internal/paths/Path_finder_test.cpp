@@ -169,8 +169,6 @@ TEST(Path_finder, follows_proximity_graph_of_cloud)
   cloud.normal.assign(5, {0., 0., 1.});
   cloud.graph.begin = {0, 2, 4, 6, 8, 8};
   cloud.graph.target = {1, 3, 0, 2, 1, 3, 0, 2};
-  const double diagonal = std::sqrt(5.);
-  cloud.graph.length = {1., diagonal, 1., 1., 1., 1., diagonal, 1.};
   Path_finder finder(std::make_shared<const Surface_arrays>(cloud));
   const auto vertices_of_path = [&](Index a, Index b)
   {

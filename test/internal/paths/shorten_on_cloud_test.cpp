@@ -138,7 +138,6 @@ TEST(Shorten_on_cloud, keeps_path_on_cloud_without_triangles)
   cloud.normal.assign(3, {0., 0., 1.});
   cloud.graph.begin = {0, 1, 3, 4};
   cloud.graph.target = {1, 0, 2, 1};
-  cloud.graph.length = {1., 1., 1., 1.};
   const std::vector<Surface_location> chain = {vertex_location(cloud, 0), vertex_location(cloud, 1),
                                                vertex_location(cloud, 2)};
   EXPECT_EQ(shorten_on_cloud(cloud, chain).size(), 3u);

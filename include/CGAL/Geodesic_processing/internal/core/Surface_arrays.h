@@ -81,7 +81,7 @@ struct Surface_arrays
   std::vector<Index> ring;
   // #triangles, in (0, 1]; empty for a mesh, whose triangles have weight 1
   std::vector<float> weight;
-  Proximity_graph graph;                     // edges between surfels; empty for a mesh
+  Proximity_graph graph;                     // between surfels, without lengths; empty for a mesh
   std::vector<std::array<double, 3>> point;  // #vertices: scaled coordinates; may be empty
   std::vector<std::array<double, 3>> normal; // #vertices: unit normals; empty for a mesh
 
