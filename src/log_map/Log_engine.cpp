@@ -163,14 +163,11 @@ double Gradient_engine::stencil_length_ratio(const Tangent_plane& plane) const
 Stencil Gradient_engine::make_stencil(const Tangent_plane& plane,
                                       const std::vector<Index>& vertices,
                                       const std::vector<double>& distances, double length,
-                                      std::size_t size)
+                                      std::size_t size) const
 {
-  if(!m_triangles->is_cloud())
-    return straightest_stencil(plane, length, size);
-  m_distance.resize(m_triangles->number_of_vertices(), infinity);
-  for(std::size_t i = 0; i < vertices.size(); ++i)
-    m_distance[vertices[i]] = distances[i];
-  return vertex_stencil(*m_triangles, plane, vertices, m_distance, length, size);
+  return m_triangles->is_cloud()
+             ? vertex_stencil(*m_triangles, plane, vertices, distances, length, size)
+             : straightest_stencil(plane, length, size);
 }
 
 Exact_log_engine::Exact_log_engine(std::shared_ptr<const Surface_arrays> triangles)

@@ -80,27 +80,27 @@ Stencil vertex_stencil(const Surface_arrays& t, const Tangent_plane& plane,
   Stencil stencil;
   for(int doublings = 0; doublings < 20; ++doublings, length *= 2.)
   {
-    std::vector<Index> farthest(count, none);
+    std::vector<Index> farthest(count, none); // positions among the candidates
     std::vector<Vec2> directions(count);
-    for(const Index v : vertices)
+    for(Index i = 0; i < vertices.size(); ++i)
     {
-      const Vec3 offset = t.point[v] - plane.point();
+      const Vec3 offset = t.point[vertices[i]] - plane.point();
       const Vec2 projected = {dot(offset, plane.x()), dot(offset, plane.y())};
-      if(!(distances[v] > 0.) || distances[v] > length || !(norm(projected) > 0.))
+      if(!(distances[i] > 0.) || distances[i] > length || !(norm(projected) > 0.))
         continue;
       const double normalized_angle = std::atan2(projected[1], projected[0]) / (2. * pi) + 1.;
       const std::size_t sector = std::size_t(normalized_angle * double(count)) % count;
-      if(farthest[sector] != none && distances[v] <= distances[farthest[sector]])
+      if(farthest[sector] != none && distances[i] <= distances[farthest[sector]])
         continue;
-      farthest[sector] = v;
+      farthest[sector] = i;
       directions[sector] = (1. / norm(projected)) * projected;
     }
     stencil = {};
     for(std::size_t sector = 0; sector < count; ++sector)
-      if(const Index v = farthest[sector]; v != none)
+      if(const Index i = farthest[sector]; i != none)
       {
-        stencil.locations.push_back(vertex_location(t, v));
-        stencil.vectors.push_back(distances[v] * directions[sector]);
+        stencil.locations.push_back(vertex_location(t, vertices[i]));
+        stencil.vectors.push_back(distances[i] * directions[sector]);
       }
     if(is_regular(stencil))
       break;

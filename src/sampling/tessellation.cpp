@@ -295,9 +295,12 @@ private:
   Stencil make_stencil(const Tangent_plane& plane, const std::vector<Index>& vertices,
                        double length) const
   {
-    return m_triangles->is_cloud() ? vertex_stencil(*m_triangles, plane, vertices,
-                                                    m_state.distances, length, number_of_directions)
-                                   : straightest_stencil(plane, length, number_of_directions);
+    if(!m_triangles->is_cloud())
+      return straightest_stencil(plane, length, number_of_directions);
+    std::vector<double> distances;
+    for(const Index vertex : vertices)
+      distances.push_back(m_state.distances[vertex]);
+    return vertex_stencil(*m_triangles, plane, vertices, distances, length, number_of_directions);
   }
 
   // Returns the end point of a straightest geodesic. On a cloud: the vertex of the cell closest to

@@ -47,13 +47,11 @@ public:
 private:
   double stencil_length_ratio(const Tangent_plane& plane) const;
   Stencil make_stencil(const Tangent_plane& plane, const std::vector<Index>& vertices,
-                       const std::vector<double>& distances, double length, std::size_t size);
+                       const std::vector<double>& distances, double length, std::size_t size) const;
 
   Distance_method m_method;
   std::shared_ptr<const Surface_arrays> m_triangles;
   Distance_engine m_engine;
-  std::vector<double>
-      m_distance; // #vertices, on a cloud; valid for the vertices that the last run reached
 };
 
 // Computes the logarithmic map on a mesh from the initial directions of exact shortest paths.

@@ -31,7 +31,7 @@ Stencil straightest_stencil(const Tangent_plane& plane, double length, std::size
 // and the length of the distance. If the vectors are almost parallel, the length is doubled.
 //
 // vertices   the candidates
-// distances  #vertices: distances from the base point
+// distances  #vertices: distances of the candidates from the base point
 // length     the maximum distance
 CGAL_GEODESIC_PROCESSING_EXPORT
 Stencil vertex_stencil(const Surface_arrays& triangles, const Tangent_plane& plane,
