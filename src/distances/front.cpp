@@ -133,6 +133,25 @@ double distance_by_corners(const Front_state& front, const Surface_location& loc
   return result;
 }
 
+// Returns the edges of the proximity graph of a cloud between different components of triangles.
+// Returns a graph without vertices if there are none.
+Proximity_graph edges_between_components(const Surface_arrays& t)
+{
+  Proximity_graph result;
+  const auto [component, number_of_components] = triangle_components(t);
+  if(number_of_components == 1)
+    return result;
+  result.begin.push_back(0);
+  for(Index v = 0; v < t.number_of_vertices(); ++v)
+  {
+    for(Index i = t.graph.begin[v]; i < t.graph.begin[v + 1]; ++i)
+      if(component[v] != component[t.graph.target[i]])
+        result.target.push_back(t.graph.target[i]);
+    result.begin.push_back(static_cast<Index>(result.target.size()));
+  }
+  return result.target.empty() ? Proximity_graph() : result;
+}
+
 // Returns the adjacent vertex through which the path along edges is shortest, of those that are
 // closer to the source, or none.
 Index nearest_predecessor(const Front_state& front, Index v)
@@ -165,7 +184,7 @@ Front::Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind,
   if(kind == Front_kind::planar)
     front.splits = shared_obtuse_splits(t);
   if(kind == Front_kind::euclidean && t.is_cloud())
-    front.components = std::make_shared<const std::vector<Index>>(triangle_components(t).first);
+    front.component_edges = std::make_shared<const Proximity_graph>(edges_between_components(t));
   else if(kind == Front_kind::euclidean)
   {
     // Circular fronts are inaccurate and slow on needles and caps.

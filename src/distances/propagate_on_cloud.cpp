@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distances/front_updates.h"
 
-#include "core/edges.h"
 #include "distances/circular_front.h"
 #include "distances/front_relaxation.h"
 
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -34,33 +35,35 @@ struct Triangle_frame
   double base; // length of the edge from `from` to `along`
   Vec2 target;
   Vec3 axis_1, axis_2, normal;
+  Vec2 source; // projection of the direction to the source, after unfolding
+
+  bool is_degenerate() const { return !(base > 0. && target[1] > 0.); }
 };
 
-// Returns false if the triangle is degenerate.
-bool triangle_frame(const Surface_arrays& t, Index from, Index along, Index target,
-                    Triangle_frame& frame)
+// Computes the frame of a triangle from the vectors of the edges to `along` and to `target`, the
+// normal at `from` and the direction in space to the source. There are no branches, so that the
+// processor computes several frames at the same time. This takes half of the time.
+Triangle_frame triangle_frame(const Vec3& base_edge, const Vec3& to_target, const Vec3& normal,
+                              const Vec3& source)
 {
-  const Vec3 base_edge = t.point[along] - t.point[from],
-             to_target = t.point[target] - t.point[from];
+  Triangle_frame frame;
   frame.base = norm(base_edge);
-  if(frame.base == 0.)
-    return false;
   frame.axis_1 = (1. / frame.base) * base_edge;
   const double y_0 = dot(to_target, frame.axis_1);
   const Vec3 perpendicular = to_target - y_0 * frame.axis_1;
   const double y_1 = norm(perpendicular);
-  if(y_1 == 0.)
-    return false;
   frame.axis_2 = (1. / y_1) * perpendicular;
   frame.normal = cross(frame.axis_1, frame.axis_2);
   frame.target = {y_0, y_1};
-  return true;
+  const Vec3 unfolded_source = rotated_between(source, normal, frame.normal);
+  frame.source = {dot(unfolded_source, frame.axis_1), dot(unfolded_source, frame.axis_2)};
+  return frame;
 }
 
-// Computes the circular front at `from` in the plane of a triangle. `source` is the direction in
-// space from `from` to the source. If it is null, because `from` is tentative, the direction is
-// fitted to the distances of both ends of the edge. Returns false if there is no such front.
-bool front_in_triangle(const Front_state& front, Index from, Index along, const Vec3* source,
+// Computes the circular front at `from` in the plane of a triangle. If `from` is tentative, the
+// direction to the source is fitted to the distances of both ends of the edge. Returns false if
+// there is no such front.
+bool front_in_triangle(const Front_state& front, Index from, Index along,
                        const Triangle_frame& frame, Circular_front& circle)
 {
   const Front_vertex& x = front.vertices[from];
@@ -69,15 +72,12 @@ bool front_in_triangle(const Front_state& front, Index from, Index along, const 
   const double difference = z.distance - x.distance;
   circle.curvature =
       (x.state | z.state) & straight_flag ? 0. : 1. / (x.distance - front.offset_at(from));
-  if(!source)
+  if(x.state & tentative_flag)
     return is_same && fit_source_direction(frame.base, difference, circle);
-  const Vec3 unfolded_source =
-      rotated_between(*source, front.triangles->normal[from], frame.normal);
-  const Vec2 projected = {dot(unfolded_source, frame.axis_1), dot(unfolded_source, frame.axis_2)};
-  const double size = norm(projected);
-  if(size == 0. || projected[1] > 0.)
+  const double size = norm(frame.source);
+  if(size == 0. || frame.source[1] > 0.)
     return false;
-  circle.source = (1. / size) * projected;
+  circle.source = (1. / size) * frame.source;
   if(is_same)
     circle.curvature = fitted_curvature(circle.curvature, frame.base, difference, circle.source[0],
                                         x.distance - front.offset_at(from));
@@ -86,7 +86,8 @@ bool front_in_triangle(const Front_state& front, Index from, Index along, const 
 
 // Relaxes `target` by the circular front that passes `from` and crosses the edge from `from` to
 // `along`.
-void update_on_cloud(Front_state& front, Index from, const Vec3* source, Index along, Index target)
+void update_on_cloud(Front_state& front, Index from, Index along, Index target,
+                     const Triangle_frame& frame)
 {
   const Surface_arrays& t = *front.triangles;
   const Front_vertex& x = front.vertices[from];
@@ -94,10 +95,8 @@ void update_on_cloud(Front_state& front, Index from, const Vec3* source, Index a
   const bool is_tentative = (z.state & (tentative_flag | final_flag)) == tentative_flag;
   if(!(z.distance < infinity) || is_tentative)
     return;
-  Triangle_frame frame;
   Circular_front circle;
-  if(!triangle_frame(t, from, along, target, frame) ||
-     !front_in_triangle(front, from, along, source, frame, circle))
+  if(frame.is_degenerate() || !front_in_triangle(front, from, along, frame, circle))
     return;
   double gain;
   Vec2 backward;
@@ -127,7 +126,9 @@ void relax_cloud_edge(Front_state& front, Index v, const Front_vertex& from, Ind
 {
   const Surface_arrays& t = *front.triangles;
   const double distance = from.distance + length;
-  if(!(distance <= front.vertices[target].distance))
+  const Front_vertex& to = front.vertices[target];
+  // The same distance replaces a tentative one only. Each edge of two triangles is relaxed twice.
+  if(!(distance < to.distance || (distance == to.distance && to.state & tentative_flag)))
     return;
   const Vec3 backward = t.point[v] - t.point[target];
   // The length of an edge alone determines no direction: the target is tentative.
@@ -158,12 +159,13 @@ void propagate_on_cloud(Front_state& front, Index v)
   const Front_vertex from = front.vertices[v];
   const auto [axis_1, axis_2] = tangent_frame(t.normal[v]);
   const Vec3 source = front.directions[v][0] * axis_1 + front.directions[v][1] * axis_2;
-  const bool is_tentative = from.state & tentative_flag;
   // Edges of the proximity graph connect different components of triangles only. Inside a
   // component, these longer edges would arrive before the front through the triangles.
-  for(Index i = t.graph.begin[v]; i < t.graph.begin[v + 1]; ++i)
-    if((*front.components)[v] != (*front.components)[t.graph.target[i]])
-      relax_cloud_edge(front, v, from, t.graph.target[i], graph_edge_length(t, v, i));
+  const Proximity_graph& edges = *front.component_edges;
+  if(!edges.begin.empty())
+    for(Index i = edges.begin[v]; i < edges.begin[v + 1]; ++i)
+      relax_cloud_edge(front, v, from, edges.target[i],
+                       norm(t.point[v] - t.point[edges.target[i]]));
   for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
   {
     const Index corner = t.ring[i], previous_corner = previous_halfedge(corner);
@@ -172,12 +174,26 @@ void propagate_on_cloud(Front_state& front, Index v)
   }
   if(from.state & source_flag)
     return;
-  for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
+  constexpr Index chunk_size = 8; // most surfels have at most 8 triangles
+  std::array<std::array<Triangle_frame, 2>, chunk_size> frames;
+  for(Index chunk = t.ring_begin[v]; chunk < t.ring_begin[v + 1]; chunk += chunk_size)
   {
-    const Index corner = t.ring[i];
-    const Index ends[2] = {t.corner[next_halfedge(corner)], t.corner[previous_halfedge(corner)]};
-    for(const int k : {0, 1})
-      update_on_cloud(front, v, is_tentative ? nullptr : &source, ends[k], ends[1 - k]);
+    const Index size = std::min(chunk_size, t.ring_begin[v + 1] - chunk);
+    for(Index i = 0; i < size; ++i)
+    {
+      const Index corner = t.ring[chunk + i];
+      const Vec3 a = t.point[t.corner[next_halfedge(corner)]] - t.point[v],
+                 b = t.point[t.corner[previous_halfedge(corner)]] - t.point[v];
+      frames[i] = {triangle_frame(a, b, t.normal[v], source),
+                   triangle_frame(b, a, t.normal[v], source)};
+    }
+    for(Index i = 0; i < size; ++i)
+    {
+      const Index corner = t.ring[chunk + i], a = t.corner[next_halfedge(corner)],
+                  b = t.corner[previous_halfedge(corner)];
+      update_on_cloud(front, v, a, b, frames[i][0]);
+      update_on_cloud(front, v, b, a, frames[i][1]);
+    }
   }
 }
 
