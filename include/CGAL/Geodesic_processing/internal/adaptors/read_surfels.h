@@ -13,6 +13,7 @@
 #include <CGAL/property_map.h>
 
 #include <cstddef>
+#include <iterator>
 #include <type_traits>
 #include <vector>
 
@@ -33,9 +34,13 @@ public:
 
   Surfel_descriptors() = default;
   explicit Surfel_descriptors(const SurfelRange& range)
+      : m_size(std::size_t(std::distance(range.begin(), range.end())))
   {
-    for(const auto& element : range)
-      if constexpr(is_point_set<SurfelRange>)
+    if constexpr(is_point_set<SurfelRange>)
+    {
+      m_descriptors.reserve(m_size);
+      m_position_of_index.reserve(m_size);
+      for(const auto& element : range)
       {
         const std::size_t index = element;
         if(index >= m_position_of_index.size())
@@ -43,15 +48,17 @@ public:
         m_position_of_index[index] = static_cast<Index>(m_descriptors.size());
         m_descriptors.push_back(element);
       }
-      else
-      {
-        (void)element;
-        m_descriptors.push_back(m_descriptors.size());
-      }
+    }
   }
 
-  std::size_t size() const { return m_descriptors.size(); }
-  Vertex operator[](std::size_t position) const { return m_descriptors[position]; }
+  std::size_t size() const { return m_size; }
+  Vertex operator[](std::size_t position) const
+  {
+    if constexpr(is_point_set<SurfelRange>)
+      return m_descriptors[position];
+    else
+      return position;
+  }
   std::size_t position(Vertex descriptor) const
   {
     if constexpr(is_point_set<SurfelRange>)
@@ -62,7 +69,7 @@ public:
   // Throws Invalid_argument_error if the range has no such surfel.
   void check_descriptor(Vertex descriptor) const
   {
-    bool is_of_range = std::size_t(descriptor) < m_descriptors.size();
+    bool is_of_range = std::size_t(descriptor) < m_size;
     if constexpr(is_point_set<SurfelRange>)
       is_of_range = std::size_t(descriptor) < m_position_of_index.size() &&
                     m_position_of_index[descriptor] != none;
@@ -71,8 +78,10 @@ public:
   }
 
 private:
-  std::vector<Vertex> m_descriptors;      // #surfels, in the order of the range
-  std::vector<Index> m_position_of_index; // of Point_set_3: the position of each index in the range
+  std::size_t m_size = 0;
+  // Of a Point_set_3: the index of each position in the range, and the position of each index.
+  std::vector<Vertex> m_descriptors;
+  std::vector<Index> m_position_of_index;
 };
 
 struct Surfel_input
@@ -94,6 +103,11 @@ Surfel_input read_surfels(const SurfelRange& range, const NamedParameters& np)
   {
     constexpr bool has_radii = has_parameter<NamedParameters, internal_np::radius_map_t>;
     [[maybe_unused]] const auto radius_map = parameter(np, internal_np::radius_map, 0);
+    const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
+    result.points.reserve(size);
+    result.normals.reserve(size);
+    if constexpr(has_radii)
+      result.radii.reserve(size);
     for(const auto& element : range)
     {
       result.points.push_back(coordinates(get(point_map, element)));
