@@ -314,7 +314,7 @@ std::size_t bytes_of(const std::vector<T>& values)
   return values.capacity() * sizeof(T);
 }
 
-TEST(Surfel_domain, uses_at_most_700_bytes_per_surfel)
+TEST(Surfel_domain, uses_about_260_bytes_per_surfel)
 {
   const Surfels surfels = sphere_surfels(5);
   const GP::Surfel_domain<Surfels> domain(surfels, maps);
@@ -325,8 +325,8 @@ TEST(Surfel_domain, uses_at_most_700_bytes_per_surfel)
       bytes_of(t.ring) + bytes_of(t.weight) + bytes_of(t.graph.begin) + bytes_of(t.graph.target) +
       bytes_of(t.graph.length) + bytes_of(t.point) + bytes_of(t.normal) + bytes_of(s.radius) +
       bytes_of(s.internal_vertex) + bytes_of(s.caller_vertex);
-  // The documented memory bound, including the tree of points and indices.
-  EXPECT_LE(bytes, 700 * surfels.size());
+  // The tree of points, which is not counted here, takes 8 to 16 bytes of the documented 260.
+  EXPECT_LE(bytes, 250 * surfels.size());
 }
 
 TEST(Surfel_domain, throws_on_invalid_input)

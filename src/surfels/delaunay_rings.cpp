@@ -237,7 +237,6 @@ Ragged_rows find_delaunay_rings(const Distinct_surfels& surfels, const Ragged_ro
                      rings.end_row(block, i);
                    }
                  });
-  rings.join();
   return rings;
 }
 

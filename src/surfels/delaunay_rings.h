@@ -43,7 +43,8 @@ struct Distinct_surfels
 //
 // Returns for each surfel the other corners of its triangles, counterclockwise. Consecutive
 // entries a, b stand for the triangle (surfel, a, b). `none` separates two fans of triangles. It
-// also terminates the last fan, unless the triangles surround the surfel. O(n log n).
+// also terminates the last fan, unless the triangles surround the surfel. The rows are not joined.
+// O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Ragged_rows find_delaunay_rings(const Distinct_surfels& surfels, const Ragged_rows& neighbors,
                                 const std::vector<double>& search_radius,

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -35,13 +37,35 @@ bool ring_has_edge(const Ragged_rows& rings, Index vertex, Index a, Index b)
   return false;
 }
 
+std::size_t number_of_blocks(std::size_t size)
+{
+  return (size + surfel_block_size - 1) / surfel_block_size;
+}
+
+// Concatenates the entries of all blocks, and frees the blocks.
+template <typename T>
+std::vector<T> concatenated(std::vector<std::vector<T>> blocks)
+{
+  std::size_t size = 0;
+  for(const std::vector<T>& block : blocks)
+    size += block.size();
+  std::vector<T> result;
+  result.reserve(size);
+  for(std::vector<T>& block : blocks)
+  {
+    result.insert(result.end(), block.begin(), block.end());
+    std::vector<T>().swap(block);
+  }
+  return result;
+}
+
 // Collects the triangles of all rings. A triangle that several corners found is appended once, by
 // the corner with the smallest index. Its weight is one third of the number of these corners.
 void collect_triangles(const Ragged_rows& rings, unsigned number_of_threads, Surface_arrays& t)
 {
   const std::size_t n = rings.row_begin.size() - 1;
-  Ragged_rows corners(n);
-  std::vector<std::vector<float>> weights((n + surfel_block_size - 1) / surfel_block_size);
+  std::vector<std::vector<Index>> corners(number_of_blocks(n));
+  std::vector<std::vector<float>> weights(number_of_blocks(n));
   for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
@@ -55,77 +79,137 @@ void collect_triangles(const Ragged_rows& rings, unsigned number_of_threads, Sur
                                   is_in_ring_of_b = ring_has_edge(rings, b, i, a);
                        if((is_in_ring_of_a && a < i) || (is_in_ring_of_b && b < i))
                          continue;
-                       corners.buffer(block).insert(corners.buffer(block).end(), {i, a, b});
+                       corners[block].insert(corners[block].end(), {i, a, b});
                        weights[block].push_back(is_in_ring_of_a && is_in_ring_of_b
                                                     ? 1.f
                                                     : (1 + is_in_ring_of_a + is_in_ring_of_b) /
                                                           3.f);
                      }
                  });
-  corners.join();
-  t.corner = std::move(corners.entries);
-  t.weight.reserve(t.corner.size() / 3);
-  for(const auto& block_weights : weights)
-    t.weight.insert(t.weight.end(), block_weights.begin(), block_weights.end());
+  t.corner = concatenated(std::move(corners));
+  t.weight = concatenated(std::move(weights));
+}
+
+// Computes `ring` and `ring_begin`: the corners at each vertex, sorted by index.
+void build_rings(Surface_arrays& t)
+{
+  t.ring_begin.assign(t.point.size() + 1, 0);
+  for(const Index v : t.corner)
+    ++t.ring_begin[v + 1];
+  std::partial_sum(t.ring_begin.begin(), t.ring_begin.end(), t.ring_begin.begin());
+  std::vector<Index> end(t.ring_begin.begin(), t.ring_begin.end() - 1);
+  t.ring.resize(t.corner.size());
+  for(Index corner = 0; corner < t.corner.size(); ++corner)
+    t.ring[end[t.corner[corner]]++] = corner;
+}
+
+using Edge = std::pair<Index, Index>;
+
+// Returns the graph of the vertices 0..n-1 with these edges, sorted by their first vertex
+// (counting sort).
+Proximity_graph graph_of(std::size_t n, const std::vector<Edge>& edges)
+{
+  Proximity_graph result;
+  result.begin.assign(n + 1, 0);
+  for(const Edge& edge : edges)
+    ++result.begin[edge.first + 1];
+  std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
+  result.target.resize(edges.size());
+  std::vector<Index> end(result.begin.begin(), result.begin.end() - 1);
+  for(const Edge& edge : edges)
+    result.target[end[edge.first]++] = edge.second;
+  return result;
+}
+
+// Removes the neighbors without an edge: edges connect gentle neighbors with intersecting spheres.
+void remove_unconnected(const Distinct_surfels& surfels, const std::vector<double>& radius,
+                        Ragged_rows& neighbors)
+{
+  for_each_block(
+      surfels.size(), surfel_block_size, surfels.number_of_threads,
+      [&](std::size_t block, std::size_t, std::size_t)
+      {
+        neighbors.replace_rows(
+            block,
+            [&](std::size_t row, const Index* begin, const Index* end, std::vector<Index>& result)
+            {
+              const Index i = static_cast<Index>(row);
+              std::copy_if(begin, end, std::back_inserter(result),
+                           [&](Index j)
+                           {
+                             return distance(surfels.point[i], surfels.point[j]) <=
+                                        radius[i] + radius[j] &&
+                                    surfels.compatibility(i, j) == Compatibility::gentle;
+                           });
+            });
+      });
+}
+
+// Returns the edge (j, i) for each edge (i, j) whose surfel i is not among the neighbors of j. This
+// only occurs beyond the search radius of j.
+std::vector<Edge> missing_reverse_edges(const Distinct_surfels& surfels,
+                                        const Ragged_rows& neighbors,
+                                        const std::vector<double>& search_radius)
+{
+  std::vector<std::vector<Edge>> edges(number_of_blocks(surfels.size()));
+  for_each_block(surfels.size(), surfel_block_size, surfels.number_of_threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 {
+                   for(Index i = static_cast<Index>(begin); i < end; ++i)
+                     for(const Index* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+                       if(distance(surfels.point[i], surfels.point[*j]) >
+                              search_radius[*j] * (1. - 1e-12) && // round-off errors
+                          std::find(neighbors.begin(*j), neighbors.end(*j), i) == neighbors.end(*j))
+                         edges[block].emplace_back(*j, i);
+                 });
+  return concatenated(std::move(edges));
 }
 
 // Builds the graph: edges between gentle neighbors with intersecting spheres, the edges of all
-// triangles, and an edge from each copy to its original. Replaces neighbors without an edge by
-// `none`.
-void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
-                 const std::vector<double>& radius, const std::vector<Index>& original,
-                 Surface_arrays& t)
+// triangles, and an edge from each copy to its original. The rows of neighbors become those of the
+// graph, so that the memory is used twice.
+//
+// original  #copies: the vertices of the surfels whose copies follow the vertices of the tree
+void build_graph(const Distinct_surfels& surfels, Ragged_rows neighbors,
+                 const std::vector<double>& search_radius, const std::vector<double>& radius,
+                 const std::vector<Index>& original, Surface_arrays& t)
 {
-  const std::size_t n = t.point.size(), m = surfels.size();
-  for_each_block(m, surfel_block_size, surfels.number_of_threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
-                 {
-                   for(Index i = static_cast<Index>(begin); i < end; ++i)
-                     for(Index k = neighbors.row_begin[i]; k < neighbors.row_begin[i + 1]; ++k)
-                     {
-                       Index& j = neighbors.entries[k];
-                       if(distance(t.point[i], t.point[j]) > radius[i] + radius[j] ||
-                          surfels.compatibility(i, j) != Compatibility::gentle)
-                         j = none;
-                     }
-                 });
-  // Visits each undirected edge at least once.
-  std::vector<Index> row_begin(n + 1, 0), target;
-  const auto for_each_edge = [&](const auto& visit)
+  const std::size_t n = surfels.size();
+  remove_unconnected(surfels, radius, neighbors);
+  std::vector<Edge> edges = missing_reverse_edges(surfels, neighbors, search_radius);
+  for(std::size_t copy = 0; copy < original.size(); ++copy)
+    edges.emplace_back(original[copy], static_cast<Index>(n + copy));
+  const Proximity_graph more_edges = graph_of(n, edges);
+  std::vector<Edge>().swap(edges);
+  for_each_block(
+      n, surfel_block_size, surfels.number_of_threads,
+      [&](std::size_t block, std::size_t, std::size_t)
+      {
+        neighbors.replace_rows(
+            block,
+            [&](std::size_t i, const Index* begin, const Index* end, std::vector<Index>& result)
+            {
+              const std::ptrdiff_t row = std::ptrdiff_t(result.size());
+              result.insert(result.end(), begin, end);
+              result.insert(result.end(), more_edges.target.begin() + more_edges.begin[i],
+                            more_edges.target.begin() + more_edges.begin[i + 1]);
+              for(Index k = t.ring_begin[i]; k < t.ring_begin[i + 1]; ++k)
+                for(const Index h : {next_halfedge(t.ring[k]), previous_halfedge(t.ring[k])})
+                  if(std::find(result.begin() + row, result.end(), t.corner[h]) == result.end())
+                    result.push_back(t.corner[h]);
+              std::sort(result.begin() + row, result.end());
+            });
+      });
+  neighbors.join();
+  t.graph.begin = std::move(neighbors.row_begin);
+  t.graph.target = std::move(neighbors.entries);
+  t.graph.begin.reserve(n + original.size() + 1);
+  t.graph.target.reserve(t.graph.target.size() + original.size());
+  for(const Index vertex : original)
   {
-    for(Index i = 0; i < m; ++i)
-      for(const Index* j = neighbors.begin(i); j != neighbors.end(i); ++j)
-        if(*j != none)
-          visit(i, *j);
-    for(Index h = 0; h < t.corner.size(); ++h)
-      visit(t.corner[h], t.corner[next_halfedge(h)]);
-    for(Index i = static_cast<Index>(m); i < n; ++i)
-      visit(i, original[i]);
-  };
-  for_each_edge([&](Index a, Index b) { ++row_begin[a + 1], ++row_begin[b + 1]; });
-  std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
-  target.resize(row_begin.back());
-  {
-    std::vector<Index> end(row_begin.begin(), row_begin.end() - 1);
-    for_each_edge([&](Index a, Index b) { target[end[a]++] = b, target[end[b]++] = a; });
+    t.graph.target.push_back(vertex);
+    t.graph.begin.push_back(static_cast<Index>(t.graph.target.size()));
   }
-  Ragged_rows edges(n);
-  for_each_block(n, surfel_block_size, surfels.number_of_threads,
-                 [&](std::size_t block, std::size_t begin, std::size_t end)
-                 {
-                   std::vector<Index>& buffer = edges.buffer(block);
-                   for(std::size_t i = begin; i < end; ++i)
-                   {
-                     const auto row = target.begin() + row_begin[i],
-                                row_end = target.begin() + row_begin[i + 1];
-                     std::sort(row, row_end);
-                     buffer.insert(buffer.end(), row, std::unique(row, row_end));
-                     edges.end_row(block, i);
-                   }
-                 });
-  edges.join();
-  t.graph.begin = std::move(edges.row_begin);
-  t.graph.target = std::move(edges.entries);
 }
 
 // Computes the lengths of the edges of triangles. Scales all lengths and coordinates by a power of two, such
@@ -134,7 +218,7 @@ void compute_lengths(Surfel_arrays& surfels, unsigned number_of_threads)
 {
   Surface_arrays& t = surfels.arrays;
   const std::size_t n = t.point.size();
-  std::vector<double> longest_in_block((n + surfel_block_size - 1) / surfel_block_size, 0.);
+  std::vector<double> longest_in_block(number_of_blocks(n), 0.);
   for_each_block(n, surfel_block_size, number_of_threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
@@ -161,17 +245,28 @@ void compute_lengths(Surfel_arrays& surfels, unsigned number_of_threads)
     t.length[h] = distance(t.point[t.corner[h]], t.point[t.corner[next_halfedge(h)]]);
 }
 
-// Computes `ring` and `ring_begin`: the corners at each vertex, sorted by index.
-void build_rings(Surface_arrays& t)
+// Appends a vertex for each copy of a surfel.
+//
+// copies    #copies: the surfels
+// original  #copies: the vertex that each one is a copy of
+// normals   #copies
+void append_copies(const std::vector<Index>& copies, const std::vector<Index>& original,
+                   const std::vector<Vec3>& normals, Surfel_arrays& surfels)
 {
-  t.ring_begin.assign(t.point.size() + 1, 0);
-  for(const Index v : t.corner)
-    ++t.ring_begin[v + 1];
-  std::partial_sum(t.ring_begin.begin(), t.ring_begin.end(), t.ring_begin.begin());
-  std::vector<Index> end(t.ring_begin.begin(), t.ring_begin.end() - 1);
-  t.ring.resize(t.corner.size());
-  for(Index corner = 0; corner < t.corner.size(); ++corner)
-    t.ring[end[t.corner[corner]]++] = corner;
+  Surface_arrays& t = surfels.arrays;
+  const std::size_t size = t.point.size() + copies.size();
+  t.point.reserve(size);
+  t.normal.reserve(size);
+  surfels.radius.reserve(size);
+  surfels.caller_vertex.reserve(size);
+  t.normal.insert(t.normal.end(), normals.begin(), normals.end());
+  for(std::size_t i = 0; i < copies.size(); ++i)
+  {
+    surfels.internal_vertex[copies[i]] = static_cast<Index>(t.point.size());
+    t.point.push_back(t.point[original[i]]);
+    surfels.radius.push_back(surfels.radius[original[i]]);
+    surfels.caller_vertex.push_back(copies[i]);
+  }
 }
 
 } // namespace
@@ -194,10 +289,20 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
                                        options.number_of_threads);
   t.origin = sorted.frame.origin;
   t.scale = sorted.frame.scale;
+  std::vector<Index> copies, original; // the surfels of the copies, and their vertices
+  std::vector<Vec3> copy_normals;
+  for(Index i = 0; i < n; ++i)
+    if(const Index vertex = sorted.internal_vertex[i]; sorted.caller_vertex[vertex] != i)
+    {
+      copies.push_back(i);
+      original.push_back(vertex);
+      copy_normals.push_back(normals[i]);
+    }
+  std::vector<Vec3>().swap(normals);
   Neighbor_distances distances;
   Ragged_rows neighbors = find_neighbors(sorted, &compatibility_test, number_of_ring_neighbors,
                                          options.number_of_threads, distances);
-  neighbors.join();
+  std::vector<double>().swap(distances.spacing);
   result.radius = surfel_radii(sorted, radii, neighbors, options.rank, options.number_of_threads);
 
   result.tree = std::move(sorted.tree);
@@ -205,31 +310,16 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
   t.normal = std::move(sorted.normal);
   result.internal_vertex = std::move(sorted.internal_vertex);
   result.caller_vertex = std::move(sorted.caller_vertex);
+  append_copies(copies, original, copy_normals, result);
 
-  // Copies follow the vertices of the tree.
-  std::vector<Index> copy_of(n);
-  for(Index i = 0; i < n; ++i)
-    if(Index& vertex = result.internal_vertex[i]; result.caller_vertex[vertex] != i)
-    {
-      const auto copy = static_cast<Index>(t.point.size());
-      copy_of[copy] = vertex;
-      t.point.push_back(t.point[vertex]);
-      t.normal.push_back(normals[i]);
-      result.radius.push_back(result.radius[vertex]);
-      result.caller_vertex.push_back(i);
-      vertex = copy;
-    }
   const Distinct_surfels surfels = {t.point, t.normal, result.tree, compatibility_test,
                                     options.number_of_threads};
-  {
-    const Ragged_rows rings =
-        find_delaunay_rings(surfels, neighbors, distances.search_radius, result.radius);
-    distances = {};
-    collect_triangles(rings, options.number_of_threads, t);
-  }
-  build_graph(surfels, neighbors, result.radius, copy_of, t);
-  compute_lengths(result, options.number_of_threads);
+  collect_triangles(find_delaunay_rings(surfels, neighbors, distances.search_radius, result.radius),
+                    options.number_of_threads, t);
   build_rings(t);
+  build_graph(surfels, std::move(neighbors), distances.search_radius, result.radius, original, t);
+  distances = {};
+  compute_lengths(result, options.number_of_threads);
   return result;
 }
 

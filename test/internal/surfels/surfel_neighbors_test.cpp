@@ -107,6 +107,45 @@ TEST(surfel_neighbors, merges_coincident_surfels)
             (Vec3{-0.375, 0., 0.}));
 }
 
+TEST(Ragged_rows, rows_can_be_replaced_and_joined)
+{
+  // Row i has i % 5 entries in the first and i % 7 in the second version.
+  const std::size_t size = 2 * surfel_block_size + 10;
+  const auto entry = [](std::size_t row, std::size_t k) { return Index(100 * row + k); };
+  Ragged_rows rows(size);
+  for(std::size_t row = 0; row < size; ++row)
+  {
+    for(std::size_t k = 0; k < row % 5; ++k)
+      rows.buffer(row / surfel_block_size).push_back(entry(row, k));
+    rows.end_row(row / surfel_block_size, row);
+  }
+  for(std::size_t block = 0; block < 3; ++block)
+    rows.replace_rows(
+        block,
+        [&](std::size_t row, const Index* begin, const Index* end, std::vector<Index>& result)
+        {
+          ASSERT_EQ(std::size_t(end - begin), row % 5);
+          for(std::size_t k = 0; k < row % 5; ++k)
+            EXPECT_EQ(begin[k], entry(row, k));
+          for(std::size_t k = 0; k < row % 7; ++k)
+            result.push_back(entry(row, k));
+        });
+  const auto expect_new_rows = [&]
+  {
+    for(std::size_t row = 0; row < size; ++row)
+    {
+      ASSERT_EQ(std::size_t(rows.end(row) - rows.begin(row)), row % 7);
+      for(std::size_t k = 0; k < row % 7; ++k)
+        EXPECT_EQ(rows.begin(row)[k], entry(row, k));
+    }
+  };
+  expect_new_rows();
+  rows.join();
+  expect_new_rows();
+  EXPECT_EQ(rows.entries.size(), rows.row_begin.back());
+  EXPECT_EQ(rows.entries.capacity(), rows.entries.size());
+}
+
 TEST(surfel_neighbors, estimates_missing_radii)
 {
   const Cloud square = square_cloud(9);

@@ -110,6 +110,25 @@ public:
   {
     row_begin[row + 1] = static_cast<Index>(m_buffers[block].size());
   }
+  // Replaces the rows of a block: calls append(row, begin, end, result) with the entries of each
+  // row, which appends those of the new row. Different threads may replace different blocks.
+  template <typename Append>
+  void replace_rows(std::size_t block, const Append& append)
+  {
+    std::vector<Index>& buffer = m_buffers[block];
+    std::vector<Index> result;
+    result.reserve(buffer.size());
+    const std::size_t last = std::min((block + 1) * surfel_block_size, row_begin.size() - 1);
+    Index begin = 0;
+    for(std::size_t row = block * surfel_block_size; row < last; ++row)
+    {
+      const Index end = row_begin[row + 1];
+      append(row, buffer.data() + begin, buffer.data() + end, result);
+      row_begin[row + 1] = static_cast<Index>(result.size());
+      begin = end;
+    }
+    buffer.assign(result.begin(), result.end()); // mostly in the allocated memory
+  }
   // Concatenates the blocks: row i consists of the entries row_begin[i] .. row_begin[i + 1] - 1.
   void join()
   {
@@ -125,7 +144,7 @@ public:
     for(auto& buffer : m_buffers)
     {
       entries.insert(entries.end(), buffer.begin(), buffer.end());
-      buffer = {};
+      std::vector<Index>().swap(buffer); // frees the memory
     }
     m_buffers.clear();
   }
