@@ -14,10 +14,15 @@
 namespace {
 
 std::atomic<long> number_of_blocks{0}, number_of_allocations{0};
+std::atomic<std::size_t> number_of_bytes{0}; // of all allocations
 // The number of the allocation that fails, counted from 1, or zero.
 std::atomic<long> failing_position{0};
 
-bool fails() { return ++number_of_allocations == failing_position; }
+bool fails(std::size_t size)
+{
+  number_of_bytes += size;
+  return ++number_of_allocations == failing_position;
+}
 
 void* counted(void* block)
 {
@@ -38,11 +43,14 @@ void __real_free(void* block);
 
 void __wrap_free(void* block);
 
-void* __wrap_malloc(std::size_t size) { return fails() ? nullptr : counted(__real_malloc(size)); }
+void* __wrap_malloc(std::size_t size)
+{
+  return fails(size) ? nullptr : counted(__real_malloc(size));
+}
 
 void* __wrap_calloc(std::size_t number, std::size_t size)
 {
-  return fails() ? nullptr : counted(__real_calloc(number, size));
+  return fails(number * size) ? nullptr : counted(__real_calloc(number, size));
 }
 
 void* __wrap_realloc(void* block, std::size_t size)
@@ -52,7 +60,7 @@ void* __wrap_realloc(void* block, std::size_t size)
     __wrap_free(block);
     return nullptr;
   }
-  if(fails())
+  if(fails(size))
     return nullptr;
   return block ? __real_realloc(block, size) : counted(__real_realloc(block, size));
 }
@@ -130,6 +138,13 @@ void expect_safe(const std::function<Values()>& query)
   EXPECT_GT(number_of_exceptions, 0);
   testing::Test::RecordProperty("failures", number_of_failures);
   testing::Test::RecordProperty("exceptions", number_of_exceptions);
+}
+
+std::size_t allocated_bytes(const std::function<void()>& query)
+{
+  const std::size_t initial_bytes = number_of_bytes;
+  query();
+  return number_of_bytes - initial_bytes;
 }
 
 } // namespace allocation_test

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_ALLOCATION_EXPECT_SAFE_H
 #define CGAL_GEODESIC_PROCESSING_TEST_ALLOCATION_EXPECT_SAFE_H
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -18,6 +19,9 @@ using Values = std::vector<double>;
 // Allocations are those of this program, of static libraries and of CHOLMOD, and those by operator
 // new. Allocations by malloc in other shared libraries do not fail.
 void expect_safe(const std::function<Values()>& query);
+
+// Returns the sum of the sizes of all blocks that a query allocates, in the same sense.
+std::size_t allocated_bytes(const std::function<void()>& query);
 
 } // namespace allocation_test
 
