@@ -4,6 +4,7 @@
 
 #include "distances/circular_front.h"
 #include "distances/front_relaxation.h"
+#include "numerics/simd.h"
 
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
@@ -40,25 +41,145 @@ struct Triangle_frame
   bool is_degenerate() const { return !(base > 0. && target[1] > 0.); }
 };
 
-// Computes the frame of a triangle from the vectors of the edges to `along` and to `target`, the
-// normal at `from` and the direction in space to the source. There are no branches, so that the
-// processor computes several frames at the same time. This takes half of the time.
-Triangle_frame triangle_frame(const Vec3& base_edge, const Vec3& to_target, const Vec3& normal,
-                              const Vec3& source)
+// Most surfels have at most 8 triangles, each with two choices of `along`.
+constexpr std::size_t max_frames = 16;
+
+template <typename Number>
+struct Vector
 {
-  Triangle_frame frame;
-  frame.base = norm(base_edge);
-  frame.axis_1 = (1. / frame.base) * base_edge;
-  const double y_0 = dot(to_target, frame.axis_1);
-  const Vec3 perpendicular = to_target - y_0 * frame.axis_1;
-  const double y_1 = norm(perpendicular);
-  frame.axis_2 = (1. / y_1) * perpendicular;
-  frame.normal = cross(frame.axis_1, frame.axis_2);
-  frame.target = {y_0, y_1};
-  const Vec3 unfolded_source = rotated_between(source, normal, frame.normal);
-  frame.source = {dot(unfolded_source, frame.axis_1), dot(unfolded_source, frame.axis_2)};
-  return frame;
+  Number x, y, z;
+};
+
+// The frames of several triangles, as arrays for SIMD.
+struct Triangle_frames
+{
+  template <std::size_t N>
+  using Coordinates = std::array<std::array<double, max_frames>, N>;
+
+  Coordinates<3> along, target; // vectors from `from`; input
+  std::array<double, max_frames> base;
+  Coordinates<2> planar_target, source;
+  Coordinates<3> axis_1, axis_2, normal;
+
+  void set_triangle(std::size_t i, const Vec3& to_along, const Vec3& to_target)
+  {
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      along[k][i] = to_along[k];
+      target[k][i] = to_target[k];
+    }
+  }
+  Triangle_frame operator[](std::size_t i) const
+  {
+    return {base[i],
+            {planar_target[0][i], planar_target[1][i]},
+            {axis_1[0][i], axis_1[1][i], axis_1[2][i]},
+            {axis_2[0][i], axis_2[1][i], axis_2[2][i]},
+            {normal[0][i], normal[1][i], normal[2][i]},
+            {source[0][i], source[1][i]}};
+  }
+};
+
+template <typename Pack>
+GEODESIC_PROCESSING_INLINE Vector<Pack> load_vector(const Triangle_frames::Coordinates<3>& from,
+                                                    std::size_t i)
+{
+  Vector<Pack> result;
+  load(from[0].data() + i, result.x);
+  load(from[1].data() + i, result.y);
+  load(from[2].data() + i, result.z);
+  return result;
 }
+template <typename Pack>
+GEODESIC_PROCESSING_INLINE void store_vector(const Vector<Pack>& v,
+                                             Triangle_frames::Coordinates<3>& to, std::size_t i)
+{
+  store(v.x, to[0].data() + i);
+  store(v.y, to[1].data() + i);
+  store(v.z, to[2].data() + i);
+}
+
+// Results of packs are parameters, because registers of AVX cannot be returned without AVX.
+template <typename P, typename Q, typename Pack>
+GEODESIC_PROCESSING_INLINE void multiply(const Vector<P>& p, const Vector<Q>& q, Pack& product)
+{
+  product = p.x * q.x + p.y * q.y + p.z * q.z;
+}
+
+template <typename Pack>
+GEODESIC_PROCESSING_INLINE void compute_length(const Vector<Pack>& v, Pack& length)
+{
+  multiply(v, v, length);
+  double values[sizeof(Pack) / sizeof(double)];
+  store(length, values);
+  for(double& value : values)
+    value = std::sqrt(value);
+  load(values, length);
+}
+
+// Computes the first `size` frames, with the operations of the functions on Vec3.
+//
+// n       the normal at `from`
+// source  the direction in space to the source
+template <typename Pack>
+GEODESIC_PROCESSING_INLINE void compute_frames(const Vec3& n, const Vec3& source, std::size_t size,
+                                               Triangle_frames& frames)
+{
+  const Vector<double> from = {n[0], n[1], n[2]}, v = {source[0], source[1], source[2]};
+  for(std::size_t i = 0; i < size; i += sizeof(Pack) / sizeof(double))
+  {
+    const Vector<Pack> edge = load_vector<Pack>(frames.along, i),
+                       target = load_vector<Pack>(frames.target, i);
+    Pack base, y_0, y_1, cosine, along_axis, source_0, source_1;
+    compute_length(edge, base);
+    const Pack inverse_base = 1. / base;
+    const Vector<Pack> axis_1 = {inverse_base * edge.x, inverse_base * edge.y,
+                                 inverse_base * edge.z};
+    multiply(target, axis_1, y_0);
+    const Vector<Pack> perpendicular = {target.x - y_0 * axis_1.x, target.y - y_0 * axis_1.y,
+                                        target.z - y_0 * axis_1.z};
+    compute_length(perpendicular, y_1);
+    const Pack inverse_y_1 = 1. / y_1;
+    const Vector<Pack> axis_2 = {inverse_y_1 * perpendicular.x, inverse_y_1 * perpendicular.y,
+                                 inverse_y_1 * perpendicular.z};
+    const Vector<Pack> normal = {axis_1.y * axis_2.z - axis_1.z * axis_2.y,
+                                 axis_1.z * axis_2.x - axis_1.x * axis_2.z,
+                                 axis_1.x * axis_2.y - axis_1.y * axis_2.x};
+    // rotated_between(source, n, normal)
+    multiply(from, normal, cosine);
+    const Pack sign = cosine < 0. ? Pack() - 1. : Pack() + 1.;
+    const Vector<Pack> axis = {sign * normal.x, sign * normal.y, sign * normal.z};
+    multiply(v, axis, along_axis);
+    const Pack factor = along_axis / (1. + sign * cosine);
+    const Vector<Pack> unfolded = {v.x - factor * (from.x + axis.x),
+                                   v.y - factor * (from.y + axis.y),
+                                   v.z - factor * (from.z + axis.z)};
+    multiply(unfolded, axis_1, source_0);
+    multiply(unfolded, axis_2, source_1);
+    store(base, frames.base.data() + i);
+    store(y_0, frames.planar_target[0].data() + i);
+    store(y_1, frames.planar_target[1].data() + i);
+    store(source_0, frames.source[0].data() + i);
+    store(source_1, frames.source[1].data() + i);
+    store_vector(axis_1, frames.axis_1, i);
+    store_vector(axis_2, frames.axis_2, i);
+    store_vector(normal, frames.normal, i);
+  }
+}
+
+void compute_frames_baseline(const Vec3& n, const Vec3& source, std::size_t size,
+                             Triangle_frames& frames)
+{
+  compute_frames<Baseline_pack<double>>(n, source, size, frames);
+}
+GEODESIC_PROCESSING_TARGET_AVX2
+void compute_frames_avx2(const Vec3& n, const Vec3& source, std::size_t size,
+                         Triangle_frames& frames)
+{
+  compute_frames<Avx2_pack<double>>(n, source, size, frames);
+}
+
+const auto dispatched_compute_frames = has_avx2() ? compute_frames_avx2 : compute_frames_baseline;
 
 // Computes the circular front at `from` in the plane of a triangle. If `from` is tentative, the
 // direction to the source is fitted to the distances of both ends of the edge. Returns false if
@@ -174,8 +295,8 @@ void propagate_on_cloud(Front_state& front, Index v)
   }
   if(from.state & source_flag)
     return;
-  constexpr Index chunk_size = 8; // most surfels have at most 8 triangles
-  std::array<std::array<Triangle_frame, 2>, chunk_size> frames;
+  Triangle_frames frames;
+  constexpr Index chunk_size = max_frames / 2;
   for(Index chunk = t.ring_begin[v]; chunk < t.ring_begin[v + 1]; chunk += chunk_size)
   {
     const Index size = std::min(chunk_size, t.ring_begin[v + 1] - chunk);
@@ -184,15 +305,16 @@ void propagate_on_cloud(Front_state& front, Index v)
       const Index corner = t.ring[chunk + i];
       const Vec3 a = t.point[t.corner[next_halfedge(corner)]] - t.point[v],
                  b = t.point[t.corner[previous_halfedge(corner)]] - t.point[v];
-      frames[i] = {triangle_frame(a, b, t.normal[v], source),
-                   triangle_frame(b, a, t.normal[v], source)};
+      frames.set_triangle(2 * i, a, b);
+      frames.set_triangle(2 * i + 1, b, a);
     }
+    dispatched_compute_frames(t.normal[v], source, 2 * size, frames);
     for(Index i = 0; i < size; ++i)
     {
       const Index corner = t.ring[chunk + i], a = t.corner[next_halfedge(corner)],
                   b = t.corner[previous_halfedge(corner)];
-      update_on_cloud(front, v, a, b, frames[i][0]);
-      update_on_cloud(front, v, b, a, frames[i][1]);
+      update_on_cloud(front, v, a, b, frames[2 * i]);
+      update_on_cloud(front, v, b, a, frames[2 * i + 1]);
     }
   }
 }
