@@ -208,7 +208,7 @@ bool front_in_triangle(const Front_state& front, Index from, Index along,
 // Relaxes `target` by the circular front that passes `from` and crosses the edge from `from` to
 // `along`.
 void update_on_cloud(Front_state& front, Index from, Index along, Index target,
-                     const Triangle_frame& frame)
+                     const Triangle_frames& frames, std::size_t i)
 {
   const Surface_arrays& t = *front.triangles;
   const Front_vertex& x = front.vertices[from];
@@ -216,6 +216,7 @@ void update_on_cloud(Front_state& front, Index from, Index along, Index target,
   const bool is_tentative = (z.state & (tentative_flag | final_flag)) == tentative_flag;
   if(!(z.distance < infinity) || is_tentative)
     return;
+  const Triangle_frame frame = frames[i];
   Circular_front circle;
   if(frame.is_degenerate() || !front_in_triangle(front, from, along, frame, circle))
     return;
@@ -313,8 +314,8 @@ void propagate_on_cloud(Front_state& front, Index v)
     {
       const Index corner = t.ring[chunk + i], a = t.corner[next_halfedge(corner)],
                   b = t.corner[previous_halfedge(corner)];
-      update_on_cloud(front, v, a, b, frames[2 * i]);
-      update_on_cloud(front, v, b, a, frames[2 * i + 1]);
+      update_on_cloud(front, v, a, b, frames, 2 * i);
+      update_on_cloud(front, v, b, a, frames, 2 * i + 1);
     }
   }
 }
