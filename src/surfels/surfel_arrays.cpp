@@ -103,20 +103,20 @@ void build_rings(Surface_arrays& t)
     t.ring[end[t.corner[corner]]++] = corner;
 }
 
-using Edge = std::pair<Index, Index>;
+using Graph_edge = std::pair<Index, Index>;
 
 // Returns the graph of the vertices 0..n-1 with these edges, sorted by their first vertex
 // (counting sort).
-Proximity_graph graph_of(std::size_t n, const std::vector<Edge>& edges)
+Proximity_graph graph_of(std::size_t n, const std::vector<Graph_edge>& edges)
 {
   Proximity_graph result;
   result.begin.assign(n + 1, 0);
-  for(const Edge& edge : edges)
+  for(const Graph_edge& edge : edges)
     ++result.begin[edge.first + 1];
   std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
   result.target.resize(edges.size());
   std::vector<Index> end(result.begin.begin(), result.begin.end() - 1);
-  for(const Edge& edge : edges)
+  for(const Graph_edge& edge : edges)
     result.target[end[edge.first]++] = edge.second;
   return result;
 }
@@ -147,11 +147,11 @@ void remove_unconnected(const Distinct_surfels& surfels, const std::vector<doubl
 
 // Returns the edge (j, i) for each edge (i, j) whose surfel i is not among the neighbors of j. This
 // only occurs beyond the search radius of j.
-std::vector<Edge> missing_reverse_edges(const Distinct_surfels& surfels,
-                                        const Ragged_rows& neighbors,
-                                        const std::vector<double>& search_radius)
+std::vector<Graph_edge> missing_reverse_edges(const Distinct_surfels& surfels,
+                                              const Ragged_rows& neighbors,
+                                              const std::vector<double>& search_radius)
 {
-  std::vector<std::vector<Edge>> edges(number_of_blocks(surfels.size()));
+  std::vector<std::vector<Graph_edge>> edges(number_of_blocks(surfels.size()));
   for_each_block(surfels.size(), surfel_block_size, surfels.number_of_threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
@@ -176,11 +176,11 @@ void build_graph(const Distinct_surfels& surfels, Ragged_rows neighbors,
 {
   const std::size_t n = surfels.size();
   remove_unconnected(surfels, radius, neighbors);
-  std::vector<Edge> edges = missing_reverse_edges(surfels, neighbors, search_radius);
+  std::vector<Graph_edge> edges = missing_reverse_edges(surfels, neighbors, search_radius);
   for(std::size_t copy = 0; copy < original.size(); ++copy)
     edges.emplace_back(original[copy], static_cast<Index>(n + copy));
   const Proximity_graph more_edges = graph_of(n, edges);
-  std::vector<Edge>().swap(edges);
+  std::vector<Graph_edge>().swap(edges);
   for_each_block(
       n, surfel_block_size, surfels.number_of_threads,
       [&](std::size_t block, std::size_t, std::size_t)
