@@ -61,7 +61,7 @@ std::size_t number_of_blocks(std::size_t size) { return (size + block_size - 1) 
 void sort_points(Mesh_arrays& result, const std::vector<std::array<double, 3>>& points,
                  const Frame& frame, unsigned number_of_threads)
 {
-  result.caller_vertex = morton_order(points, frame);
+  result.caller_vertex = morton_order(points, frame, number_of_threads);
   result.internal_vertex.resize(points.size());
   result.arrays.point.resize(points.size());
   for_each_block(points.size(), block_size, number_of_threads,
@@ -223,9 +223,10 @@ void measure(Mesh_arrays& result, const Frame& frame, unsigned number_of_threads
                      t.length[h] = factor * std::max(t.length[h], min_length);
                  });
   to_frame(t.point, frame);
-  for(auto& point : t.point)
-    for(double& coordinate : point)
-      coordinate *= factor;
+  if(factor != 1.)
+    for(auto& point : t.point)
+      for(double& coordinate : point)
+        coordinate *= factor;
   t.scale = frame.scale * unit_length;
   t.origin = frame.origin;
 }

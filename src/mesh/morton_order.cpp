@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/core/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,7 @@ std::uint64_t spread_bits(std::uint64_t x)
 } // namespace
 
 std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points,
-                                const Frame& frame)
+                                const Frame& frame, unsigned number_of_threads)
 {
   const std::size_t n = points.size();
   // 11 bits per axis: of a surface of a million points, only a few are in the same cell.
@@ -113,23 +114,23 @@ std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points
   };
 
   // Radix sort by the three digits of the keys.
+  std::vector<std::uint64_t> entries(n), sorted(n);
+  for_each_block(n, std::size_t(1) << 14, number_of_threads,
+                 [&](std::size_t, std::size_t first, std::size_t last)
+                 {
+                   for(std::size_t i = first; i < last; ++i)
+                     entries[i] = key_of(i);
+                 });
   std::array<std::array<Index, 2048>, 3> begin{};
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    const std::uint64_t key = key_of(i);
-    for(int digit = 0; digit < 3; ++digit)
+  for(const std::uint64_t key : entries)
+    for(std::size_t digit = 0; digit < 3; ++digit)
       ++begin[digit][key >> 11 * digit & 2047];
-  }
   for(auto& counts : begin)
     std::exclusive_scan(counts.begin(), counts.end(), counts.begin(), Index(0));
-  // The two digits that remain after the first pass and the index of the point fit into 64 bits. The
-  // keys are computed twice, because this is faster than storing them.
-  std::vector<std::uint64_t> entries(n), sorted(n);
+  // The two digits that remain after the first pass and the index of the point fit into 64 bits.
   for(std::size_t i = 0; i < n; ++i)
-  {
-    const std::uint64_t key = key_of(i);
-    entries[begin[0][key & 2047]++] = key >> 11 << 32 | i;
-  }
+    sorted[begin[0][entries[i] & 2047]++] = entries[i] >> 11 << 32 | i;
+  std::swap(entries, sorted);
   for(const std::uint64_t entry : entries)
     sorted[begin[1][entry >> 32 & 2047]++] = entry;
   std::vector<Index> order(n);

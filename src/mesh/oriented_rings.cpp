@@ -134,17 +134,37 @@ private:
   std::vector<Triangle> m_triangles;
 };
 
-// Fills `ring_begin`, and `ring` by the corners of each vertex in increasing order.
-void collect_corners(Surface_arrays& t, std::size_t number_of_vertices)
+// Fills `ring_begin`, and `ring` by the corners of each vertex in increasing order. Each thread reads
+// all corners and writes those of its own range of vertices.
+void collect_corners(Surface_arrays& t, std::size_t number_of_vertices, unsigned number_of_threads)
 {
   t.ring_begin.assign(number_of_vertices + 1, 0);
-  for(const Index vertex : t.corner)
-    ++t.ring_begin[vertex];
-  std::partial_sum(t.ring_begin.begin(), t.ring_begin.end(), t.ring_begin.begin());
   t.ring.resize(t.corner.size());
+  const std::size_t range =
+      std::max<std::size_t>(1, (number_of_vertices + number_of_threads - 1) / number_of_threads);
+  Index* const begin = t.ring_begin.data();
+  const auto for_each_range = [&](const auto& visit)
+  {
+    for_each_block(number_of_vertices, range, number_of_threads,
+                   [&](std::size_t, std::size_t first, std::size_t last)
+                   { visit(static_cast<Index>(first), static_cast<Index>(last - first)); });
+  };
+  for_each_range(
+      [&](Index first, Index size)
+      {
+        for(const Index vertex : t.corner)
+          if(vertex - first < size)
+            ++begin[vertex];
+      });
+  std::partial_sum(t.ring_begin.begin(), t.ring_begin.end(), t.ring_begin.begin());
   // From the last to the first corner, so that the end of each range becomes its begin.
-  for(std::size_t c = t.corner.size(); c-- > 0;)
-    t.ring[--t.ring_begin[t.corner[c]]] = static_cast<Index>(c);
+  for_each_range(
+      [&](Index first, Index size)
+      {
+        for(std::size_t c = t.corner.size(); c-- > 0;)
+          if(const Index vertex = t.corner[c]; vertex - first < size)
+            t.ring[--begin[vertex]] = static_cast<Index>(c);
+      });
 }
 
 } // namespace
@@ -152,7 +172,7 @@ void collect_corners(Surface_arrays& t, std::size_t number_of_vertices)
 std::optional<Ring_counts> build_oriented_rings(Surface_arrays& t, std::size_t number_of_vertices,
                                                 unsigned number_of_threads)
 {
-  collect_corners(t, number_of_vertices);
+  collect_corners(t, number_of_vertices, number_of_threads);
   t.twin.resize(t.corner.size());
   constexpr std::size_t block_size = 1 << 13;
   std::vector<Ring_counts> counts((number_of_vertices + block_size - 1) / block_size);

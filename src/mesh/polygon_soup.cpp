@@ -132,14 +132,13 @@ bool has_only_triangles(const Polygon_soup& soup)
   return true;
 }
 
-// Appends the triangles of all polygons.
-void triangulate(const Polygon_soup& soup, const Soup_options& options, Repaired_soup& result)
+// Appends the triangles of all polygons. If all are triangles that need no change, moves the corners
+// of the soup and leaves `polygon` empty.
+void triangulate(Polygon_soup& soup, const Soup_options& options, Repaired_soup& result)
 {
   if(result.replacement.empty() && !options.do_remove_degenerate_faces && has_only_triangles(soup))
   {
-    result.corners = soup.corners;
-    result.polygon.resize(soup.polygon_begin.size() - 1);
-    std::iota(result.polygon.begin(), result.polygon.end(), Index(0));
+    result.corners = std::move(soup.corners);
     return;
   }
   constexpr std::size_t max_corners = 10000; // the triangulation takes quadratic time
@@ -276,8 +275,8 @@ void remove_duplicates(Repaired_soup& soup, Halfedge_pairs& pairs)
   pairs.opposite.resize(3 * std::size_t(number_kept));
 }
 
-// Merges points and triangulates polygons; fills all but the twins.
-Repaired_soup triangulated(const Polygon_soup& soup, const Soup_options& options)
+// Merges points and triangulates polygons; fills all but the twins. See triangulate().
+Repaired_soup triangulated(Polygon_soup& soup, const Soup_options& options)
 {
   check(soup, options);
   Repaired_soup result;
@@ -293,6 +292,11 @@ Repaired_soup triangulated(const Polygon_soup& soup, const Soup_options& options
 // Removes duplicates, orients the triangles and pairs their halfedges.
 void glue(std::size_t number_of_points, Repaired_soup& soup)
 {
+  if(soup.polygon.empty())
+  {
+    soup.polygon.resize(soup.corners.size() / 3);
+    std::iota(soup.polygon.begin(), soup.polygon.end(), Index(0));
+  }
   Halfedge_pairs pairs = pair_halfedges(number_of_points, soup.corners);
   remove_duplicates(soup, pairs);
   soup.report.number_of_duplicate_triangles = pairs.number_of_duplicates;
@@ -322,7 +326,7 @@ void remove_replaced_points(std::vector<Vec3>& points, const std::vector<Index>&
 
 } // namespace
 
-Repaired_soup repair_soup(const Polygon_soup& soup, const Soup_options& options)
+Repaired_soup repair_soup(Polygon_soup soup, const Soup_options& options)
 {
   Repaired_soup result = triangulated(soup, options);
   glue(soup.points.size(), result);
@@ -356,7 +360,7 @@ Soup_arrays build_soup_arrays(Polygon_soup soup, const Soup_options& options)
   result.report = repaired.report;
   result.report.number_of_triangles_without_area = result.mesh.number_of_degenerate_triangles;
   result.replacement = std::move(repaired.replacement);
-  if(repaired.polygon.size() != number_of_polygons)
+  if(result.mesh.face_of_triangle.size() != number_of_polygons)
     result.polygon = std::move(repaired.polygon);
   return result;
 }

@@ -125,18 +125,20 @@ Soup_domain<Point>::Soup_domain(const PointRange& points, const PolygonRange& po
   }
   const auto number_of_polygons =
       static_cast<std::size_t>(std::distance(std::begin(polygons), std::end(polygons)));
-  soup.corners.reserve(3 * number_of_polygons);
   soup.polygon_begin.reserve(number_of_polygons + 1);
   for(const auto& polygon : polygons)
-  {
+    soup.polygon_begin.push_back(
+        soup.polygon_begin.back() +
+        static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon))));
+  soup.corners.resize(soup.polygon_begin.back());
+  Index* soup_corner = soup.corners.data();
+  for(const auto& polygon : polygons)
     for(const auto corner : polygon)
     {
       // Negative numbers become large ones.
       const auto point = static_cast<std::size_t>(corner);
-      soup.corners.push_back(point < number_of_points ? static_cast<Index>(point) : internal::none);
+      *soup_corner++ = point < number_of_points ? static_cast<Index>(point) : internal::none;
     }
-    soup.polygon_begin.push_back(soup.corners.size());
-  }
   internal::Soup_options options;
   if constexpr(internal::has_parameter<NamedParameters, internal_np::merge_tolerance_t>)
     options.merge_tolerance = internal::parameter(np, internal_np::merge_tolerance, 0.);

@@ -73,10 +73,11 @@ Surface repair(Surface_file file, const std::string& filename, unsigned threads)
   {
     throw Input_error(filename + ": " + error.what());
   }
-  set_triangles(*surface.domain, surface.file);
+  surface.is_repaired = surface.domain->report().is_changed();
+  if(surface.is_repaired)
+    set_triangles(*surface.domain, surface.file);
   if(surface.file.corners.empty())
     fail(filename, "all of its faces are degenerate");
-  surface.is_repaired = surface.domain->report().is_changed();
   return surface;
 }
 

@@ -60,7 +60,7 @@ void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame);
 // frame  of the scaled coordinates; if it is the default, those of the caller are scaled
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points,
-                                const Frame& frame = Frame());
+                                const Frame& frame = Frame(), unsigned number_of_threads = 1);
 
 } // namespace CGAL::Geodesic_processing::internal
 

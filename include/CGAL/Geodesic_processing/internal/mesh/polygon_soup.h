@@ -51,7 +51,7 @@ struct Repaired_soup
 // than 10,000 corners, or if there are more than 2^31 halfedges.
 // O(n) for n triangles; O(k^2) for a polygon of k corners.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Repaired_soup repair_soup(const Polygon_soup& soup, const Soup_options& options);
+Repaired_soup repair_soup(Polygon_soup soup, const Soup_options& options);
 
 // The arrays of the surface of a soup.
 struct Soup_arrays
