@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Job.h"
 
+#include "app/memory.h"
+
 #include "app/Command.h"
 #include "picture/Display.h"
 #include "io/Output_file.h"
@@ -167,6 +169,14 @@ void Job::print_warning(const std::string& line) const
 {
   if(!m_quiet)
     std::fprintf(stderr, "geodesic: %s: %s.\n", m_input.c_str(), line.c_str());
+}
+
+void Job::check_memory(const std::string& what, double bytes) const
+{
+  if(const std::string lack = lack_of_memory(what, bytes, available_memory()); !lack.empty())
+    fail(m_input, lack);
+  if(bytes > 1e9)
+    print_warning(what + " needs about " + gigabytes(bytes) + " of memory");
 }
 
 void Job::write_values(const std::function<std::string()>& text) const

@@ -100,6 +100,10 @@ public:
   // given or standard error is not a terminal, the callback is empty. It never cancels.
   std::function<bool(double)> progress_callback(const std::string& title);
 
+  // Announces a computation that needs more than a gigabyte, or throws Input_error if less than it
+  // needs is available. `what` is the subject of the sentence.
+  void check_memory(const std::string& what, double bytes) const;
+
   // Prints a line on standard output (results) or standard error (warnings about the input).
   // --quiet suppresses both, and --json the first.
   void print_line(const std::string& line) const;

@@ -7,11 +7,11 @@
 
 #if defined(__linux__)
 
-#include <sys/mman.h>
+#  include <sys/mman.h>
 
-#include <cstddef>
-#include <cstdlib>
-#include <new>
+#  include <cstddef>
+#  include <cstdlib>
+#  include <new>
 
 namespace {
 

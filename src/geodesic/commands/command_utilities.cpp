@@ -64,6 +64,21 @@ Distance_method to_method(const std::string& method)
                                      : Distance_method::automatic;
 }
 
+void check_memory(const Job& job, const std::string& method)
+{
+  if(!job.surface().is_mesh())
+    return;
+  // The maxima on the meshes of the manual, in bytes per vertex. Meshes of needles need more.
+  const double bytes_per_vertex = method == "dijkstra"                         ? 40.
+                                  : method == "fast-marching"                  ? 175.
+                                  : method == "euclidean"                      ? 330.
+                                  : method == "exact" || method == "automatic" ? 240.
+                                                                               : 0.;
+  const std::string name = method == "automatic" ? "exact" : method;
+  job.check_memory("the method " + name,
+                   bytes_per_vertex * double(job.surface().file.points.size()));
+}
+
 void check_method(const std::string& method, const Surface& surface)
 {
   if(method == "exact" && !surface.is_mesh())

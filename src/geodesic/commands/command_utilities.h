@@ -53,6 +53,10 @@ using GP::internal::Runtime_method;
 // Converts the name of a method that passed check_method().
 Distance_method to_method(const std::string& method);
 
+// Announces the memory that a solver of distances on a mesh needs besides its domain, or throws
+// Input_error if it is not available.
+void check_memory(const Job& job, const std::string& method);
+
 // Solver whose method is selected at run time
 template <typename Surface_type>
 using Distance_solver = GP::Geodesic_distance_solver<Surface_type, Runtime_method>;

@@ -94,6 +94,9 @@ Distance_result compute_distances(const Domain& domain, const Distance_options& 
   }
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   result.values.resize(job.surface().file.points.size());
+  if(!std::isfinite(options.max_distance))
+    check_memory(job,
+                 options.method == "automatic" && !speed.empty() ? "euclidean" : options.method);
   Distance_solver<Surface_type> solver(domain, to_method(options.method), options.heat_time_step);
   job.begin_stage("query");
   solver.compute(sources, GP::parameters::maximum_distance(options.max_distance)
