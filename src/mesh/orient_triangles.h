@@ -26,15 +26,18 @@ std::vector<Index> orient_triangles(std::vector<Index>& corners, std::vector<Ind
 
 // Counts the connected components of the triangles, joined by edges. O(n) in practice.
 // twins: 3 #triangles, the opposite halfedge or none
+CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t count_components(const std::vector<Index>& twins);
 
 // Counts the boundary cycles, and computes the genus from this number, that of the components, which
 // must be known, and that of the fans around all points. O(n).
+CGAL_GEODESIC_PROCESSING_EXPORT
 void measure_topology(std::size_t number_of_fans, const std::vector<Index>& twins,
                       Soup_report& report);
 
 // Counts the fans of triangles around all points, and the points at which several fans meet. Returns
 // the number of fans. O(n).
+CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t count_fans(std::size_t number_of_points, const std::vector<Index>& corners,
                        const std::vector<Index>& twins, Soup_report& report);
 

@@ -42,7 +42,9 @@ TEST(Vertex_fans, contain_incident_edges_and_triangles)
       }
       EXPECT_EQ(i, t.ring_begin[vertex + 1]);
       if(i != t.ring_begin[vertex])
+      {
         EXPECT_EQ(s.edges[s.begin[vertex + 1] - 1].corner, none);
+      }
     }
   }
 }

@@ -51,7 +51,7 @@ TEST(Orient_triangles, splits_nonorientable_component)
   const std::vector<Index> twins = orient_triangles(corners, opposites, report);
   EXPECT_EQ(report.number_of_split_edges, 1u); // the shortest cut across the band is one edge
   EXPECT_EQ(report.number_of_components, 1u);
-  measure_topology(2 * n, corners, twins, report);
+  measure_topology(count_fans(2 * n, corners, twins, report), twins, report);
   EXPECT_EQ(report.number_of_boundary_cycles, 1u); // that of a disk
   EXPECT_EQ(report.genus, 0u);
 }
@@ -60,9 +60,11 @@ TEST(Measure_topology, of_two_tetrahedra_at_a_vertex)
 {
   const std::vector<Index> corners = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3,
                                       0, 5, 4, 0, 4, 6, 4, 5, 6, 5, 0, 6};
+  const std::vector<Index> twins = twins_of_soup(7, corners);
   Soup_report report;
-  report.number_of_components = 2;
-  measure_topology(7, corners, twins_of_soup(7, corners), report);
+  report.number_of_components = count_components(twins);
+  EXPECT_EQ(report.number_of_components, 2u);
+  measure_topology(count_fans(7, corners, twins, report), twins, report);
   EXPECT_EQ(report.number_of_nonmanifold_points, 1u);
   EXPECT_EQ(report.number_of_boundary_cycles, 0u);
   EXPECT_EQ(report.genus, 0u);
@@ -79,9 +81,11 @@ TEST(Measure_topology, of_torus)
       corners.insert(corners.end(), {3 * i + j, 3 * k + j, 3 * k + l});
       corners.insert(corners.end(), {3 * i + j, 3 * k + l, 3 * i + l});
     }
+  const std::vector<Index> twins = twins_of_soup(9, corners);
   Soup_report report;
-  report.number_of_components = 1;
-  measure_topology(9, corners, twins_of_soup(9, corners), report);
+  report.number_of_components = count_components(twins);
+  EXPECT_EQ(report.number_of_components, 1u);
+  measure_topology(count_fans(9, corners, twins, report), twins, report);
   EXPECT_EQ(report.number_of_nonmanifold_points, 0u);
   EXPECT_EQ(report.number_of_boundary_cycles, 0u);
   EXPECT_EQ(report.genus, 1u);
