@@ -269,7 +269,7 @@ void Front::begin_query(const Front_limits& limits)
   constexpr std::size_t min_visits_per_vertex = 8;
   constexpr std::size_t max_vertices = 4000000; // larger surfaces need the memory
   const std::size_t n = front.surface->number_of_vertices();
-  if(front.is_planar() && !front.fans && n <= max_vertices &&
+  if(front.is_planar() && !front.fans && !front.surface->is_cloud() && n <= max_vertices &&
      m_number_of_visits > min_visits_per_vertex * n)
     front.fans = shared_vertex_fans(*front.surface);
 }

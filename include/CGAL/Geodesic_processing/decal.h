@@ -79,7 +79,8 @@ struct Decal<SurfelRange, true>
 /// from the center of an image are preserved.
 ///
 /// The precomputation does not depend on the center. The cost of `place()` depends on the number
-/// of vertices or surfels that are closer to the center than the corners of the image.
+/// of vertices or surfels that are closer to the center than the corners of the image. Memory is
+/// allocated for these only.
 ///
 /// \tparam Surface, Method as for `Logarithmic_map`
 template <typename Surface, typename Method = Gradient<>>

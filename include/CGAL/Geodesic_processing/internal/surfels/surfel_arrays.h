@@ -67,7 +67,7 @@ struct Surfel_arrays
 // Throws Invalid_argument_error if the sizes differ, or an option is out of range. It is also
 // thrown if a number is not finite, a radius is negative, a normal is zero, or distances overflow.
 // Throws Unsupported_surface_error if there are more than 2^25 surfels. O(n log n); the result has
-// about 400 bytes per surfel, and the computation needs twice as many.
+// about 250 bytes per surfel, and the computation needs at most 380.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
                                   std::vector<std::array<double, 3>> normals,
