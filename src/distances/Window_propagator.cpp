@@ -280,6 +280,9 @@ void Window_propagator::drop_dominated(Index h)
   trim_all(crossing.begin() + 1, crossing, known.begin(), known.end(), min_length);
   // A stored window that is dominated now has no effect.
   trim_all(known.begin(), known, crossing.begin() + 1, crossing.end(), min_length);
+  // Growth by doubling would need a quarter more memory on meshes of needles.
+  if(const std::size_t size = known.size() + crossing.size() - 1; size > known.capacity())
+    known.reserve(size + size / 8);
   known.insert(known.end(), crossing.begin() + 1, crossing.end());
 }
 
