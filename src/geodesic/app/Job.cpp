@@ -88,7 +88,7 @@ const Surface& Job::read(const std::vector<std::string>& extensions)
     m_display = std::make_unique<Display>();
   }
   begin_stage("read");
-  Surface_file file = read_surface_file(m_input, {{"gpw", read_gpw}});
+  Surface_file file = read_surface_file(m_input, {{"gpw", read_gpw}}, threads());
   begin_stage("prepare");
   m_surface = repair(std::move(file), m_input, threads());
   (*m_result)["input"] = m_input;

@@ -22,14 +22,15 @@ std::string file_extension(const std::string& filename)
 }
 
 Surface_file read_surface_file(const std::string& filename,
-                               const std::map<std::string, Reader>& more_readers)
+                               const std::map<std::string, Reader>& more_readers,
+                               unsigned number_of_threads)
 {
   std::map<std::string, Reader> readers = {
       {"ply", read_ply},  {"off", read_off},  {"obj", read_obj}, {"stl", read_stl},
       {"xyz", read_xyz},  {"pwn", read_pwn},  {"vtp", read_vtp}, {"gltf", read_gltf},
       {"glb", read_gltf}, {"gii", read_gifti}};
   readers.insert(more_readers.begin(), more_readers.end());
-  const Bytes file = read_bytes(filename);
+  const Bytes file = read_bytes(filename, number_of_threads);
   const std::string_view bytes = file;
   const bool is_compressed = file_extension(filename) == "gz";
   const std::string extension =
@@ -49,6 +50,10 @@ Surface_file read_surface_file(const std::string& filename,
     fail(filename, "it is empty");
   if(is_compressed)
     return reader->second(inflate(bytes, filename), filename);
+  if(extension == "obj")
+    return read_obj_in_parallel(bytes, filename, number_of_threads);
+  if(extension == "xyz")
+    return read_xyz_in_parallel(bytes, filename, number_of_threads);
   return reader->second(bytes, filename);
 }
 

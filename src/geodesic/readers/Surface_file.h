@@ -54,15 +54,23 @@ Surface_file read_gltf(std::string_view bytes, const std::string& name); // also
 Surface_file read_gifti(std::string_view bytes, const std::string& name);
 Surface_file read_freesurfer(std::string_view bytes, const std::string& name);
 
+// Return the same as read_obj() and read_xyz(). Large files are read by several threads.
+Surface_file read_obj_in_parallel(std::string_view bytes, const std::string& name,
+                                  unsigned number_of_threads);
+Surface_file read_xyz_in_parallel(std::string_view bytes, const std::string& name,
+                                  unsigned number_of_threads);
+
 // Returns whether the first bytes are those of a FreeSurfer surface.
 bool is_freesurfer(std::string_view bytes);
 
 // Reads a file. The extension selects one of the formats above or of `more_readers`, whose keys are
 // extensions without the dot. If the file is compressed by gzip, .gz follows the extension. A
 // FreeSurfer surface is recognized by its content, unless it is compressed. The data is neither
-// repaired nor validated beyond the needs of the reader, see check(). Throws Input_error.
+// repaired nor validated beyond the needs of the reader, see check(). The result does not depend on
+// the number of threads. Throws Input_error.
 Surface_file read_surface_file(const std::string& filename,
-                               const std::map<std::string, Reader>& more_readers = {});
+                               const std::map<std::string, Reader>& more_readers = {},
+                               unsigned number_of_threads = 1);
 
 // Throws Input_error if there are no points, a coordinate is not finite, or an index of a face or
 // edge is out of range.

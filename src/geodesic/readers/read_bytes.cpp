@@ -3,6 +3,7 @@
 #include "readers/read_bytes.h"
 
 #include "readers/Scanner.h"
+#include "readers/parse_chunks.h"
 
 #include <filesystem>
 #include <fstream>
@@ -10,7 +11,25 @@
 
 namespace program {
 
-Bytes read_bytes(const std::string& filename)
+namespace {
+
+// Reads a range of a file to an array. Returns the number of bytes that the file has there.
+std::size_t read_range(const std::string& filename, std::size_t begin, std::size_t size,
+                       char* bytes)
+{
+  std::ifstream file(filename, std::ios::binary);
+  if(!file)
+    fail(filename, "it cannot be opened for reading");
+  file.seekg(static_cast<std::streamoff>(begin));
+  file.read(bytes, static_cast<std::streamsize>(size));
+  if(file.bad())
+    fail(filename, "it cannot be read");
+  return static_cast<std::size_t>(file.gcount());
+}
+
+} // namespace
+
+Bytes read_bytes(const std::string& filename, unsigned number_of_threads)
 {
   std::error_code error;
   const auto status = std::filesystem::status(filename, error);
@@ -19,14 +38,22 @@ Bytes read_bytes(const std::string& filename)
   if(!std::filesystem::is_regular_file(status))
     fail(filename, "it is not a regular file");
   const auto size = std::filesystem::file_size(filename, error);
-  std::ifstream file(filename, std::ios::binary);
-  if(error || !file)
+  if(error)
     fail(filename, "it cannot be opened for reading");
   Bytes bytes(size);
-  file.read(bytes.data(), static_cast<std::streamsize>(size));
-  bytes.truncate(static_cast<std::size_t>(file.gcount()));
-  if(file.bad())
-    fail(filename, "it cannot be read");
+  const std::size_t count = number_of_chunks(size, number_of_threads);
+  const bool is_read =
+      count > 1 &&
+      parse_chunks(count,
+                   [&](std::size_t i)
+                   {
+                     const std::size_t begin = size / count * i,
+                                       end = i + 1 == count ? size : begin + size / count;
+                     return read_range(filename, begin, end - begin, bytes.data() + begin) ==
+                            end - begin;
+                   });
+  if(!is_read)
+    bytes.truncate(read_range(filename, 0, size, bytes.data()));
   return bytes;
 }
 

@@ -30,8 +30,8 @@ private:
   std::size_t m_size = 0;
 };
 
-// Reads all bytes of a regular file. Throws Input_error.
-Bytes read_bytes(const std::string& filename);
+// Reads all bytes of a regular file. Large files are read by several threads. Throws Input_error.
+Bytes read_bytes(const std::string& filename, unsigned number_of_threads = 1);
 
 // Reads a file to which another file refers by a path relative to its folder. Throws Input_error,
 // also if the path leaves this folder.

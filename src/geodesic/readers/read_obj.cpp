@@ -4,10 +4,12 @@
 #include "readers/Surface_file.h"
 #include "readers/append_polygon.h"
 #include "readers/count_lines.h"
+#include "readers/parse_chunks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -64,19 +66,27 @@ void set_colors(const std::vector<std::array<double, 3>>& colors, Surface_file& 
   }
 }
 
+template <typename T>
+void append_to(std::vector<T>& values, const std::vector<T>& more)
+{
+  values.insert(values.end(), more.begin(), more.end());
+}
+
 class Obj_reader
 {
 public:
-  Obj_reader(std::string_view bytes, const std::string& name) : m_scanner(bytes, name, '#')
+  // Reserves memory for the lines of another text, to which this one belongs.
+  Obj_reader(std::string_view bytes, const std::string& name, std::string_view whole_text)
+      : m_scanner(bytes, name, '#')
   {
-    const std::size_t max_vertices = max_number_of_lines(bytes, 8, 'v'),
-                      max_faces = max_number_of_lines(bytes, 8, 'f');
+    const std::size_t max_vertices = max_number_of_lines(whole_text, 8, 'v'),
+                      max_faces = max_number_of_lines(whole_text, 8, 'f');
     m_surface.points.reserve(max_vertices);
     m_surface.corners.reserve(3 * max_faces);
     m_surface.polygon_begin.reserve(max_faces + 1);
   }
 
-  Surface_file read()
+  void parse()
   {
     while(m_scanner.next_line())
     {
@@ -88,6 +98,26 @@ public:
       else if(keyword == "f")
         read_face();
     }
+  }
+
+  // Returns whether the content of this chunk does not depend on others.
+  bool is_independent() const { return m_is_independent; }
+
+  void append(const Obj_reader& next)
+  {
+    const std::size_t begin = m_surface.corners.size();
+    append_to(m_surface.points, next.m_surface.points);
+    append_to(m_surface.corners, next.m_surface.corners);
+    for(std::size_t f = 1; f < next.m_surface.polygon_begin.size(); ++f)
+      m_surface.polygon_begin.push_back(begin + next.m_surface.polygon_begin[f]);
+    append_to(m_texture_coordinates, next.m_texture_coordinates);
+    append_to(m_corner_texture_index, next.m_corner_texture_index);
+    append_to(m_colors, next.m_colors);
+    m_has_uv = m_has_uv && next.m_has_uv;
+  }
+
+  Surface_file finish()
+  {
     set_uv();
     if(!m_colors.empty() && m_colors.size() == m_surface.points.size())
       set_colors(m_colors, m_surface);
@@ -122,8 +152,12 @@ private:
       // A backslash at the end of a line continues the face on the next line.
       const std::string_view word = m_scanner.word();
       if(word != "\\")
+      {
         read_corner(word);
-      else if(!m_scanner.next_line())
+        continue;
+      }
+      m_is_independent = false;
+      if(!m_scanner.next_line())
         break;
     }
     end_polygon(m_surface);
@@ -132,6 +166,7 @@ private:
   void read_corner(std::string_view word)
   {
     const long long index = m_scanner.parse_integer(word.substr(0, word.find('/')));
+    m_is_independent = m_is_independent && word.find('-') == std::string_view::npos;
     add_corner(index,
                m_has_uv ? texture_index(word, m_texture_coordinates.size()) : no_texture_index);
   }
@@ -141,6 +176,8 @@ private:
   void add_corner(long long index, std::size_t texture)
   {
     const auto count = static_cast<long long>(m_surface.points.size());
+    // Negative indices count from the end of the vertices and texture coordinates read so far.
+    m_is_independent = m_is_independent && index > 0;
     if(index == 0 || index < -count)
       m_scanner.fail("a face has the invalid vertex index " + std::to_string(index));
     append_corner(m_surface, index > 0 ? index - 1 : count + index);
@@ -167,6 +204,7 @@ private:
   Scanner m_scanner;
   Surface_file m_surface;
   std::vector<std::array<double, 2>> m_texture_coordinates; // in an image
+  bool m_is_independent = true;
   bool m_has_uv = true; // as long as all corners have texture coordinates
   std::vector<std::size_t> m_corner_texture_index; // #corners, if they have: index of these
   std::vector<std::array<double, 3>> m_colors;
@@ -176,7 +214,31 @@ private:
 
 Surface_file read_obj(std::string_view bytes, const std::string& name)
 {
-  return Obj_reader(bytes, name).read();
+  Obj_reader reader(bytes, name, bytes);
+  reader.parse();
+  return reader.finish();
+}
+
+Surface_file read_obj_in_parallel(std::string_view bytes, const std::string& name,
+                                  unsigned number_of_threads)
+{
+  const std::vector<std::string_view> chunks =
+      split_lines(bytes, number_of_chunks(bytes.size(), number_of_threads));
+  std::vector<std::unique_ptr<Obj_reader>> readers(chunks.size());
+  const bool is_parsed =
+      chunks.size() > 1 && parse_chunks(chunks.size(),
+                                        [&](std::size_t i)
+                                        {
+                                          readers[i] = std::make_unique<Obj_reader>(
+                                              chunks[i], name, i == 0 ? bytes : chunks[i]);
+                                          readers[i]->parse();
+                                          return readers[i]->is_independent();
+                                        });
+  if(!is_parsed)
+    return read_obj(bytes, name);
+  for(std::size_t i = 1; i < readers.size(); ++i)
+    readers[0]->append(*readers[i]);
+  return readers[0]->finish();
 }
 
 } // namespace program

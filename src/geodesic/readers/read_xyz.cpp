@@ -3,7 +3,9 @@
 #include "readers/Scanner.h"
 #include "readers/Surface_file.h"
 #include "readers/count_lines.h"
+#include "readers/parse_chunks.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace program {
@@ -18,12 +20,15 @@ struct Rows
   Surface_file surface; // the first three columns, and the next three as normals if they exist
 };
 
-Rows read_rows(std::string_view bytes, const std::string& name)
+// Only the first line of a text can be a count. Reserves memory for the lines of another text, to
+// which this one belongs.
+Rows read_rows(std::string_view bytes, const std::string& name, bool is_first_line,
+               std::string_view whole_text)
 {
   Rows rows;
   Surface_file& surface = rows.surface;
   Scanner scanner(bytes, name, '#', Scanner::Separators::blanks_and_commas);
-  for(bool is_first_line = true; scanner.next_line(); is_first_line = false)
+  for(; scanner.next_line(); is_first_line = false)
   {
     if(scanner.starts_with("//"))
       continue;
@@ -46,7 +51,7 @@ Rows read_rows(std::string_view bytes, const std::string& name)
     if(rows.columns == 0)
     {
       rows.columns = columns;
-      surface.points.reserve(max_number_of_lines(bytes, std::string_view("0 0 0\n").size()));
+      surface.points.reserve(max_number_of_lines(whole_text, std::string_view("0 0 0\n").size()));
       if(columns >= 6)
         surface.normals.reserve(surface.points.capacity());
     }
@@ -74,14 +79,43 @@ Surface_file with_checked_count(Rows rows, const std::string& name)
 // Reads rows of x y z or x y z nx ny nz, optionally after a count. Additional columns are skipped.
 Surface_file read_xyz(std::string_view bytes, const std::string& name)
 {
-  return with_checked_count(read_rows(bytes, name), name);
+  return with_checked_count(read_rows(bytes, name, true, bytes), name);
+}
+
+Surface_file read_xyz_in_parallel(std::string_view bytes, const std::string& name,
+                                  unsigned number_of_threads)
+{
+  const std::vector<std::string_view> chunks =
+      split_lines(bytes, number_of_chunks(bytes.size(), number_of_threads));
+  std::vector<Rows> rows(chunks.size());
+  const bool is_parsed =
+      chunks.size() > 1 &&
+      parse_chunks(chunks.size(),
+                   [&](std::size_t i)
+                   {
+                     rows[i] = read_rows(chunks[i], name, i == 0, i == 0 ? bytes : chunks[i]);
+                     return rows[i].columns > 0;
+                   });
+  const bool has_equal_columns =
+      std::all_of(rows.begin(), rows.end(),
+                  [&](const Rows& chunk) { return chunk.columns == rows[0].columns; });
+  if(!is_parsed || !has_equal_columns)
+    return read_xyz(bytes, name);
+  Surface_file& surface = rows[0].surface;
+  for(std::size_t i = 1; i < rows.size(); ++i)
+  {
+    const Surface_file& next = rows[i].surface;
+    surface.points.insert(surface.points.end(), next.points.begin(), next.points.end());
+    surface.normals.insert(surface.normals.end(), next.normals.begin(), next.normals.end());
+  }
+  return with_checked_count(std::move(rows[0]), name);
 }
 
 // Reads rows with normals. If a count precedes them, the file contains all points and then all
 // normals.
 Surface_file read_pwn(std::string_view bytes, const std::string& name)
 {
-  Rows rows = read_rows(bytes, name);
+  Rows rows = read_rows(bytes, name, true, bytes);
   std::vector<Point>& points = rows.surface.points;
   if(!rows.count || rows.columns != 3 || *rows.count * 2. != static_cast<double>(points.size()))
     return with_checked_count(std::move(rows), name);

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/parse_chunks.h"
+#include "readers/Input_error.h"
+#include "readers/Surface_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace parse_chunks_test {
+
+using program::Surface_file;
+
+TEST(Parse_chunks, chunks_are_lines_and_form_the_text)
+{
+  std::string text = "a\nbb\n\nccc\r\nd";
+  for(std::size_t count = 1; count < 9; ++count)
+  {
+    std::string joined;
+    for(const std::string_view chunk : program::split_lines(text, count))
+    {
+      EXPECT_TRUE(joined.empty() || joined.back() == '\n');
+      joined += chunk;
+    }
+    EXPECT_EQ(joined, text);
+    EXPECT_LE(program::split_lines(text, count).size(), count);
+  }
+  EXPECT_EQ(program::number_of_chunks(std::size_t{3} << 20, 2), 2u);
+  EXPECT_EQ(program::number_of_chunks(std::size_t{3} << 20, 5), 3u);
+}
+
+TEST(Parse_chunks, exceptions_and_rejections_are_reported)
+{
+  EXPECT_TRUE(program::parse_chunks(3, [](std::size_t) { return true; }));
+  EXPECT_FALSE(program::parse_chunks(3, [](std::size_t i) { return i != 2; }));
+  const auto parse_or_throw = [](std::size_t i)
+  {
+    if(i == 1)
+      throw std::runtime_error("failed");
+    return true;
+  };
+  EXPECT_FALSE(program::parse_chunks(3, parse_or_throw));
+}
+
+// The content of a file, or the error message.
+struct Result
+{
+  Surface_file surface;
+  std::string error;
+};
+
+Result read(const std::string& filename, unsigned number_of_threads)
+{
+  try
+  {
+    return {program::read_surface_file(filename, {}, number_of_threads), ""};
+  }
+  catch(const program::Input_error& error)
+  {
+    return {{}, error.what()};
+  }
+}
+
+// Compares the results of several threads with those of one. The text has more than 2^21
+// bytes.
+void expect_equal_results(const std::string& name, const std::string& text)
+{
+  const std::string filename = testing::TempDir() + name;
+  std::ofstream(filename, std::ios::binary) << text;
+  const Result expected = read(filename, 1);
+  for(const unsigned number_of_threads : {2u, 5u})
+  {
+    const Result result = read(filename, number_of_threads);
+    EXPECT_EQ(result.error, expected.error);
+    EXPECT_TRUE(result.surface.points == expected.surface.points);
+    EXPECT_TRUE(result.surface.normals == expected.surface.normals);
+    EXPECT_TRUE(result.surface.corners == expected.surface.corners);
+    EXPECT_TRUE(result.surface.polygon_begin == expected.surface.polygon_begin);
+    EXPECT_TRUE(result.surface.uv == expected.surface.uv);
+    EXPECT_TRUE(result.surface.properties == expected.surface.properties);
+  }
+  std::filesystem::remove(filename);
+}
+
+// Returns a text with this line in the middle of many copies of others.
+std::string text_with(const std::string& line, const std::string& others)
+{
+  std::string copies;
+  while(copies.size() < 1100000)
+    copies += others;
+  return copies + line + copies;
+}
+
+TEST(Read_with_threads, obj_does_not_depend_on_their_number)
+{
+  const std::string triangle = "v 1.5 2 3\nv -1 0 1e-3\nv 0 0 1\nf 1 2 3\n",
+                    with_uv = "v 1 2 3\nvt 0 1\nvt .5 .25\nf 1/1 1/2 1/1\n",
+                    with_colors = "v 1 2 3 0 .5 1\nf 1 1 1\n";
+  for(const char* line : {"", "\r\n", "f -1 -2 -3\n", "f 1 2 \\\n3\n", "f 1//1 2//1 3//1\n",
+                          "f 0 1 2\n", "v 0 nan 0\n", "v 1 2 3 1 0 0\n"})
+    expect_equal_results("threads.obj", text_with(line, triangle));
+  for(const char* line : {"", "f 1/-1 1/-2 1/1\n", "f 1 1 1\n"})
+    expect_equal_results("threads.obj", text_with(line, with_uv));
+  expect_equal_results("threads.obj", text_with("", with_colors));
+}
+
+TEST(Read_with_threads, xyz_does_not_depend_on_their_number)
+{
+  for(const char* others : {"1.5 2 3\n-1 0 1e-3\n", "1, 2, 3, 0, 0, 1\r\n"})
+    for(const char* line : {"", "# comment\n", "5\n", "1 2 3 4 5\n"})
+      expect_equal_results("threads.xyz", text_with(line, others));
+  expect_equal_results("threads.xyz", "7\n" + text_with("", "1 2 3\n"));
+}
+
+TEST(Read_with_threads, off_does_not_depend_on_their_number)
+{
+  expect_equal_results("threads.off", "OFF 160000 0 0\n" + text_with("", "1 2.25 3.125\n"));
+  expect_equal_results("threads.off", "OFF 150000 0 0\n" + text_with("1 2 x\n", "1 2.25 3.125\n"));
+}
+
+} // namespace parse_chunks_test
