@@ -49,7 +49,7 @@ struct Geodesic_departure
 /// size of the surface. `Heat` is an exception: each of its queries is global. Copies share the
 /// domain, and different copies can compute concurrently. Together with the result, and in addition
 /// to the domain, a solver on a mesh takes about 40 bytes per vertex with `Dijkstra`, 65 to 175 with
-/// `Fast_marching`, 50 to 330 with `Euclidean_front`, and 190 to 240 with `Exact`. On meshes of up
+/// `Fast_marching`, 50 to 330 with `Euclidean_front`, and 85 to 125 with `Exact`. On meshes of up
 /// to 4 million vertices, `Fast_marching` stores the one-rings of all vertices after many queries,
 /// in 230 bytes per vertex, because this speeds up later ones. On a cloud a solver takes 28 bytes
 /// per surfel, or 47 with `Euclidean_front`. There, queries after the construction only access the

@@ -72,7 +72,7 @@ void check_memory(const Job& job, const std::string& method)
   const double bytes_per_vertex = method == "dijkstra"                         ? 40.
                                   : method == "fast-marching"                  ? 175.
                                   : method == "euclidean"                      ? 330.
-                                  : method == "exact" || method == "automatic" ? 240.
+                                  : method == "exact" || method == "automatic" ? 125.
                                                                                : 0.;
   const std::string name = method == "automatic" ? "exact" : method;
   job.check_memory("the method " + name,
