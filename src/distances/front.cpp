@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <new>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -271,7 +272,14 @@ void Front::begin_query(const Front_limits& limits)
   const std::size_t n = front.surface->number_of_vertices();
   if(front.is_planar() && !front.fans && !front.surface->is_cloud() && n <= max_vertices &&
      m_number_of_visits > min_visits_per_vertex * n)
-    front.fans = shared_vertex_fans(*front.surface);
+    try
+    {
+      front.fans = shared_vertex_fans(*front.surface);
+    }
+    catch(const std::bad_alloc&)
+    {
+      // Queries do not need them.
+    }
 }
 
 // Makes the vertices final in the order of their distances, until the queue is empty, the targets

@@ -16,6 +16,7 @@ namespace CGAL::Geodesic_processing::internal {
 //
 // All data of a vertex is found in its own triangles, so that the time is that of one pass over the
 // memory if the triangles are in the order of their smallest vertex.
+CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<Ring_counts> build_oriented_rings(Surface_arrays& arrays,
                                                 std::size_t number_of_vertices,
                                                 unsigned number_of_threads);
