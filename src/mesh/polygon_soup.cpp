@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -44,6 +43,54 @@ double euclidean_distance(const Vec3& p, const Vec3& q)
 {
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
+
+// A hash table that maps a cell of a grid to the last point that was inserted into it. Cells whose
+// hashes agree in their upper half share an entry.
+class Cell_table
+{
+public:
+  // Returns the last point of a cell, or none.
+  Index find(std::uint64_t hash) const { return m_entries[position(hash >> 32)].point; }
+
+  // Inserts a point, and returns the one before it in the same cell, or none.
+  Index insert(std::uint64_t hash, Index point)
+  {
+    if(2 * m_number_of_cells > m_entries.size())
+      grow();
+    Entry& entry = m_entries[position(hash >> 32)];
+    if(entry.point == none)
+      ++m_number_of_cells;
+    entry.tag = static_cast<std::uint32_t>(hash >> 32);
+    return std::exchange(entry.point, point);
+  }
+
+private:
+  struct Entry
+  {
+    std::uint32_t tag = 0;
+    Index point = none;
+  };
+
+  // Returns the position of the entry with a tag, or of the unused one where it belongs.
+  std::size_t position(std::uint64_t tag) const
+  {
+    std::size_t i = tag & (m_entries.size() - 1);
+    while(m_entries[i].point != none && m_entries[i].tag != tag)
+      i = (i + 1) & (m_entries.size() - 1);
+    return i;
+  }
+  void grow()
+  {
+    std::vector<Entry> old(2 * m_entries.size());
+    std::swap(m_entries, old);
+    for(const Entry& entry : old)
+      if(entry.point != none)
+        m_entries[position(entry.tag)] = entry;
+  }
+
+  std::vector<Entry> m_entries = std::vector<Entry>(16); // a power of two
+  std::size_t m_number_of_cells = 0;
+};
 
 // Replaces each point by the first earlier one that is within the tolerance and has not been
 // replaced itself. Returns the replacements and counts them; see Repaired_soup.
@@ -79,7 +126,7 @@ std::vector<Index> merge_points(const std::vector<Vec3>& points, double toleranc
   };
 
   std::vector<Index> replacement(points.size()), next(points.size(), none);
-  std::unordered_map<std::uint64_t, Index> first_in_cell; // several cells may have the same hash
+  Cell_table last_in_cell;
   for(Index i = 0; i < points.size(); ++i)
   {
     const Cell cell = cell_of(points[i]);
@@ -87,22 +134,15 @@ std::vector<Index> merge_points(const std::vector<Vec3>& points, double toleranc
     for(int x = -reach; x <= reach; ++x)
       for(int y = -reach; y <= reach; ++y)
         for(int z = -reach; z <= reach; ++z)
-        {
-          const auto found = first_in_cell.find(hash({cell[0] + x, cell[1] + y, cell[2] + z}));
-          for(Index j = found == first_in_cell.end() ? none : found->second; j != none; j = next[j])
+          for(Index j = last_in_cell.find(hash({cell[0] + x, cell[1] + y, cell[2] + z})); j != none;
+              j = next[j])
             if(j < first && euclidean_distance(points[i], points[j]) <= tolerance)
               first = j;
-        }
+    replacement[i] = first != none ? first : i;
     if(first != none)
-    {
-      replacement[i] = first;
       ++number_of_merged_points;
-      continue;
-    }
-    replacement[i] = i;
-    const auto [position, is_new] = first_in_cell.try_emplace(hash(cell), i);
-    if(!is_new)
-      next[i] = std::exchange(position->second, i);
+    else
+      next[i] = last_in_cell.insert(hash(cell), i);
   }
   if(number_of_merged_points == 0)
     replacement.clear();
