@@ -29,14 +29,14 @@ for argument in "$@"; do
   esac
 done
 [ ${#programs[@]} -gt 0 ] ||
-  programs=(accuracy error_distribution speed soups exact sampling remeshing cloud_errors surfels
+  programs=(accuracy error_distribution speed inputs soups exact sampling remeshing cloud_errors surfels
             surfel_scans logmap distortion decal flattening base wavelets transport transport_bounds
             transport_family transport_claims transport_times regions flows barycenters means
             volumes)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
-  libsuitesparse-dev libopenblas-dev || exit 1
+  libsuitesparse-dev libopenblas-dev nlohmann-json3-dev zlib1g-dev || exit 1
 
 mkdir -p "$build"
 {
