@@ -3,6 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FILE_DESCRIPTOR_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FILE_DESCRIPTOR_H
 
+#include <CGAL/Geodesic_processing/internal/core/export.h>
+
 #include <cstddef>
 #include <string>
 
@@ -13,7 +15,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 // A file that is open for reading and writing. The file is closed by the destructor. All functions
 // throw File_error.
-class File_descriptor
+class CGAL_GEODESIC_PROCESSING_EXPORT File_descriptor
 {
 public:
   // Opens a file, with O_CREAT as a flag also a new one.
@@ -46,10 +48,10 @@ private:
 };
 
 // Renames a file, replaces a file of the new name, and synchronizes the folder.
-void rename_file(const std::string& from, const std::string& to);
+CGAL_GEODESIC_PROCESSING_EXPORT void rename_file(const std::string& from, const std::string& to);
 
 // Removes a file if it exists.
-void remove_file(const std::string& path);
+CGAL_GEODESIC_PROCESSING_EXPORT void remove_file(const std::string& path);
 
 } // namespace CGAL::Geodesic_processing::internal
 

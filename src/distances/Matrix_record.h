@@ -30,7 +30,7 @@ struct Recorded_tiles
 //
 // The file is locked as long as the object exists: only one process writes a matrix. All functions
 // throw File_error.
-class Matrix_record
+class CGAL_GEODESIC_PROCESSING_EXPORT Matrix_record
 {
 public:
   // Opens the record, or creates an empty one. Throws File_error if it is locked.

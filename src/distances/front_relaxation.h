@@ -73,6 +73,7 @@ inline bool can_invalidate(const Front_state& front)
 
 // Returns whether the descendants of a final vertex whose distance decreases by `correction` must
 // be invalidated.
+CGAL_GEODESIC_PROCESSING_EXPORT
 bool needs_invalidation(const Front_state& front, Index vertex, double correction);
 
 // Returns a lower bound of the distance at a vertex: the offset plus the distance along the
