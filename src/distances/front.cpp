@@ -48,6 +48,10 @@ void prefetch_next(const Front_state& front)
 {
   const Surface_arrays& t = *front.triangles;
   const Index vertex = front.queue.front().vertex;
+  if(front.known_distance)
+    prefetch(front.known_distance->data() + vertex);
+  if(t.is_cloud()) // many triangles, few of which are read
+    return prefetch(t.ring.data() + t.ring_begin[vertex]);
   const bool is_planar = front.is_planar();
   const Obtuse_splits* const splits =
       is_planar && !front.splits->splits.empty() ? front.splits.get() : nullptr;
@@ -72,8 +76,6 @@ void prefetch_next(const Front_state& front)
         if(splits)
           prefetch(splits->views.data() + splits->begin[child]);
       });
-  if(front.known_distance)
-    prefetch(front.known_distance->data() + vertex);
 }
 
 // Returns the location in the triangles on which the front propagates.

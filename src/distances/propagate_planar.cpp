@@ -75,7 +75,7 @@ void propagate_planar(Front_state& front, Index v)
   const double distance = vertices[v].distance;
   const Index source = front.sources[v];
 
-  constexpr Index max_degree = 16; // of almost all vertices
+  constexpr Index max_degree = 64; // of almost all vertices, also on clouds
   std::array<Fan_edge, 2 * max_degree> few_edges;
   std::vector<Fan_edge> many_edges;
   const Fan_edge *first, *end;
