@@ -48,12 +48,13 @@ struct Geodesic_departure
 /// The cost of a query depends on the number of vertices or surfels that it reaches, not on the
 /// size of the surface. `Heat` is an exception: each of its queries is global. Copies share the
 /// domain, and different copies can compute concurrently. Together with the result, and in addition
-/// to the domain, a solver on a mesh takes about 40 bytes per vertex with `Dijkstra`, 65 to 175 with
-/// `Fast_marching`, 50 to 330 with `Euclidean_front`, and 85 to 125 with `Exact`. On meshes of up
+/// to the domain, a solver on a mesh takes about 30 bytes per vertex with `Dijkstra`, 60 to 165 with
+/// `Fast_marching`, 45 to 325 with `Euclidean_front`, and 85 to 130 with `Exact`. On meshes of up
 /// to 4 million vertices, `Fast_marching` stores the one-rings of all vertices after many queries,
 /// in 230 bytes per vertex, because this speeds up later ones. On a cloud a solver takes 28 bytes
 /// per surfel, or 47 with `Euclidean_front`. There, queries after the construction only access the
-/// surfels that they reach and those adjacent to them, and allocate O(m) memory for m reached surfels.
+/// surfels that they reach and those adjacent to them, and allocate O(m) memory for m reached
+/// surfels.
 ///
 /// Before the first computation, no vertex or surfel is reached. Members that write a property map
 /// take O(n) time. Other members that do not state their time take O(1) time.

@@ -69,10 +69,10 @@ void check_memory(const Job& job, const std::string& method)
   if(!job.surface().is_mesh())
     return;
   // The maxima on the meshes of the manual, in bytes per vertex. Meshes of needles need more.
-  const double bytes_per_vertex = method == "dijkstra"                         ? 40.
-                                  : method == "fast-marching"                  ? 175.
-                                  : method == "euclidean"                      ? 330.
-                                  : method == "exact" || method == "automatic" ? 125.
+  const double bytes_per_vertex = method == "dijkstra"                         ? 35.
+                                  : method == "fast-marching"                  ? 165.
+                                  : method == "euclidean"                      ? 325.
+                                  : method == "exact" || method == "automatic" ? 130.
                                                                                : 0.;
   const std::string name = method == "automatic" ? "exact" : method;
   job.check_memory("the method " + name,
