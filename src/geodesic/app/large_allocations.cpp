@@ -3,9 +3,18 @@
 
 // Replaces operator new of the program, so that arrays of many megabytes are backed by huge pages.
 // On a mesh of a million vertices, page faults otherwise take 40 % of the time from the file to the
-// front. Other systems than Linux keep their operator new.
+// front. Other systems than Linux keep their operator new. Sanitizers do, too: they replace it
+// themselves.
 
-#if defined(__linux__)
+#if defined(__has_feature)
+#  if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#    define GEODESIC_PROGRAM_HAS_SANITIZER
+#  endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#  define GEODESIC_PROGRAM_HAS_SANITIZER
+#endif
+
+#if defined(__linux__) && !defined(GEODESIC_PROGRAM_HAS_SANITIZER)
 
 #  include <sys/mman.h>
 
