@@ -19,7 +19,7 @@ using namespace program;
 TEST(Memory, lack_is_reported_with_both_sizes)
 {
   EXPECT_EQ(lack_of_memory("the method exact", 4.84e9, 2e9),
-            "the method exact needs about 4.8 GB of memory, but only 2.0 GB are available");
+            "the method exact needs about 4.84 GB of memory, but only 2.00 GB are available");
   EXPECT_EQ(lack_of_memory("the method exact", 2e9, 2e9), "");
   EXPECT_EQ(lack_of_memory("the method exact", 4e30, std::nullopt), "");
 }

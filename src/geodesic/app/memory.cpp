@@ -61,7 +61,7 @@ std::optional<double> available_memory() { return std::nullopt; }
 std::string gigabytes(double bytes)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.1f GB", bytes / 1e9);
+  std::snprintf(text, sizeof text, "%.2f GB", bytes / 1e9);
   return text;
 }
 

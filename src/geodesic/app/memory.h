@@ -13,7 +13,7 @@ namespace program {
 // system is not Linux.
 std::optional<double> available_memory();
 
-// Returns a size in gigabytes with one digit, for example "4.8 GB".
+// Returns a size in gigabytes with two decimals, for example "4.84 GB".
 std::string gigabytes(double bytes);
 
 // Returns the reason to refuse a computation that needs more memory than is available, or an empty
