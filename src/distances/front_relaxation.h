@@ -135,9 +135,14 @@ inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index sou
   {
     front.reached.push_back(v);
     front.queue.insert(v, distance + arrival.delay);
-    prefetch(&front.triangles->ring_begin[v]);
-    if(front.splits && !front.splits->begin.empty())
-      prefetch(&front.splits->begin[v]);
+    if(front.fans && front.is_planar())
+      prefetch(&front.fans->begin[v]);
+    else
+    {
+      prefetch(&front.triangles->ring_begin[v]);
+      if(front.splits && !front.splits->begin.empty())
+        prefetch(&front.splits->begin[v]);
+    }
   }
   return true;
 }

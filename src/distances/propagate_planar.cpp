@@ -4,6 +4,7 @@
 
 #include "core/unfold.h"
 #include "distances/front_relaxation.h"
+#include "distances/split_half.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,11 @@
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
+
+bool is_final(const Front_state& front, Index vertex)
+{
+  return (front.vertices[vertex].state & final_flag) != 0;
+}
 
 // The distance at the third corner of a triangle.
 struct Planar_distance
@@ -35,75 +41,64 @@ Planar_distance planar_update(const Front_state& front, Index x, Index z, double
   return {distance_at_x + slowness * straight_front.delay, straight_front.is_closer_to_end};
 }
 
-// Relaxes the vertices of split obtuse corners through the virtual triangles whose base ends at
-// `v`.
-void relax_split_corners(Front_state& front, Index v)
+// Relaxes the vertex of a split obtuse corner through one of its two virtual triangles, whose base
+// runs from `v` to `along`.
+void relax_split_corner(Front_state& front, Index v, const Obtuse_splits::Half& split)
 {
-  const Obtuse_splits& s = *front.splits;
-  const auto is_final = [&](Index vertex)
-  { return (front.vertices[vertex].state & final_flag) != 0; };
-  for(Index i = s.begin[v]; i < s.begin[v + 1]; ++i)
-  {
-    const Obtuse_splits::View& view = s.views[i];
-    if(is_final(view.target) || !is_final(view.along))
-      continue;
-    const Obtuse_splits::Split& split = s.splits[view.split()];
-    const std::size_t half = view.half();
-    const double base = split.base[half], to_neighbor = split.to_neighbor[half];
-    const Vec2 apex = view.is_from_splitting_vertex()
-                          ? third_corner(base, split.length, to_neighbor)
-                          : third_corner(base, to_neighbor, split.length);
-    const Index neighbor = view.is_from_splitting_vertex() ? view.along : v;
-    const double distance =
-        planar_update(front, v, view.along, base, apex, front.slowness_in(split.corner / 3))
-            .distance;
-    if(distance < front.vertices[view.target].distance)
-      relax(front, view.target, {distance, {1., 0.}, neighbor, 0, 0.}, front.sources[v]);
-  }
+  const double distance = planar_update(front, v, split.along, split.base, split.apex,
+                                        front.slowness_in(split.corner / 3))
+                              .distance;
+  if(distance < front.vertices[split.target].distance)
+    relax(front, split.target, {distance, {1., 0.}, split.neighbor, 0, 0.}, front.sources[v]);
 }
 
-} // namespace
-
-void propagate_planar(Front_state& front, Index v)
+// What a front reads around a vertex: from the triangles, or from stored fans. A corner is computed
+// only if it is used, because two of three are not.
+struct Read_fans
 {
-  const Surface_arrays& t = *front.triangles;
-  if(t.is_cloud())
-    propagate_along_edges(front, v);
+  using Edge = Fan_edge;
+
+  bool has_triangle(const Edge& edge) const { return edge.corner != none; }
+  Index triangle(const Edge& edge) const { return edge.corner / 3; }
+  Vec2 opening(const Edge& edge) const { return corner_angle(t, edge.corner); }
+  bool is_split(const Edge& edge) const { return s.is_split(next_halfedge(edge.corner)); }
+  bool is_next_split(const Edge& edge) const { return s.is_split(previous_halfedge(edge.corner)); }
+
+  const Surface_arrays& t;
+  const Obtuse_splits& s;
+};
+
+struct Stored_fans
+{
+  using Edge = Vertex_fans::Edge;
+
+  bool has_triangle(const Edge& edge) const { return edge.has_triangle(); }
+  Index triangle(const Edge& edge) const { return edge.triangle(); }
+  Vec2 opening(const Edge& edge) const { return edge.opening; }
+  bool is_split(const Edge& edge) const { return edge.is_split(); }
+  bool is_next_split(const Edge& edge) const { return edge.is_next_split(); }
+};
+
+// Relaxes the far ends of the edges that leave `v`.
+template <typename Fans>
+void relax_fan(Front_state& front, Index v, const Fans& fans, const typename Fans::Edge* edge,
+               const typename Fans::Edge* end)
+{
+  using Edge = typename Fans::Edge;
   const Front_vertex* const vertices = front.vertices.data();
-  const auto is_final = [vertices](Index vertex)
-  { return (vertices[vertex].state & final_flag) != 0; };
   const double distance = vertices[v].distance;
   const Index source = front.sources[v];
-
-  constexpr Index max_degree = 64; // of almost all vertices, also on clouds
-  std::array<Fan_edge, 2 * max_degree> few_edges;
-  std::vector<Fan_edge> many_edges;
-  const Fan_edge *first, *end;
-  if(front.fans)
-  {
-    first = front.fans->edges.data() + front.fans->begin[v];
-    end = front.fans->edges.data() + front.fans->begin[v + 1];
-  }
-  else
-  {
-    const Index degree = t.ring_begin[v + 1] - t.ring_begin[v];
-    if(degree > max_degree)
-      many_edges.resize(2 * std::size_t(degree));
-    Fan_edge* const edges = degree > max_degree ? many_edges.data() : few_edges.data();
-    first = edges;
-    end = read_fan_edges(t, v, edges);
-  }
   double slowness_before = infinity; // of the triangle before the edge
-  for(const Fan_edge* edge = first; edge != end; ++edge)
+  for(; edge != end; ++edge)
   {
     const double slowness_after =
-        edge->corner == none ? infinity : front.slowness_in(edge->corner / 3);
-    if(!is_final(edge->vertex))
+        fans.has_triangle(*edge) ? front.slowness_in(fans.triangle(*edge)) : infinity;
+    if(!is_final(front, edge->vertex))
     {
       double best_distance = distance + std::min(slowness_before, slowness_after) * edge->length;
       Index predecessor = v;
       // Updates through a triangle from `v` and the far end of its other edge.
-      const auto update_from_pair = [&](const Fan_edge& other, const Vec2& opening, double slowness)
+      const auto update_from_pair = [&](const Edge& other, const Vec2& opening, double slowness)
       {
         const Planar_distance update =
             planar_update(front, v, other.vertex, other.length, edge->length * opening, slowness);
@@ -113,20 +108,55 @@ void propagate_planar(Front_state& front, Index v)
           predecessor = update.is_closer_to_z ? other.vertex : v;
         }
       };
-      if(slowness_after < infinity && is_final(edge[1].vertex) &&
-         !front.splits->is_split(next_halfedge(edge->corner)))
-        update_from_pair(edge[1], edge->opening, slowness_after);
-      if(slowness_before < infinity && is_final(edge[-1].vertex) &&
-         !front.splits->is_split(previous_halfedge(edge[-1].corner)))
-        update_from_pair(edge[-1], edge[-1].opening, slowness_before);
+      if(slowness_after < infinity && is_final(front, edge[1].vertex) && !fans.is_split(*edge))
+        update_from_pair(edge[1], fans.opening(*edge), slowness_after);
+      if(slowness_before < infinity && is_final(front, edge[-1].vertex) &&
+         !fans.is_next_split(edge[-1]))
+        update_from_pair(edge[-1], fans.opening(edge[-1]), slowness_before);
       if(best_distance < vertices[edge->vertex].distance)
         relax(front, edge->vertex, {best_distance, {1., 0.}, predecessor, 0, 0.}, source);
     }
     slowness_before = slowness_after;
   }
+}
 
-  if(!front.splits->splits.empty())
-    relax_split_corners(front, v);
+void propagate_planar_with_stored_fans(Front_state& front, Index v)
+{
+  const Vertex_fans& s = *front.fans;
+  const Vertex_fans::Offsets begin = s.begin[v], end = s.begin[v + 1];
+  relax_fan(front, v, Stored_fans{}, s.edges.data() + begin.edge, s.edges.data() + end.edge);
+  for(Index i = begin.split; i < end.split; ++i)
+    if(const Obtuse_splits::Half& split = s.splits[i];
+       !is_final(front, split.target) && is_final(front, split.along))
+      relax_split_corner(front, v, split);
+}
+
+} // namespace
+
+void propagate_planar(Front_state& front, Index v)
+{
+  const Surface_arrays& t = *front.triangles;
+  if(t.is_cloud())
+    propagate_along_edges(front, v);
+  if(front.fans)
+    return propagate_planar_with_stored_fans(front, v);
+
+  constexpr Index max_degree = 64; // of almost all vertices, also on clouds
+  std::array<Fan_edge, 2 * max_degree> few_edges;
+  std::vector<Fan_edge> many_edges;
+  const Index degree = t.ring_begin[v + 1] - t.ring_begin[v];
+  if(degree > max_degree)
+    many_edges.resize(2 * std::size_t(degree));
+  Fan_edge* const edges = degree > max_degree ? many_edges.data() : few_edges.data();
+  const Obtuse_splits& s = *front.splits;
+  relax_fan(front, v, Read_fans{t, s}, edges, read_fan_edges(t, v, edges));
+
+  if(s.splits.empty())
+    return;
+  for(Index i = s.begin[v]; i < s.begin[v + 1]; ++i)
+    if(const Obtuse_splits::View& view = s.views[i];
+       !is_final(front, view.target) && is_final(front, view.along))
+      relax_split_corner(front, v, split_half(s, v, view));
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -960,6 +960,37 @@ TEST(Front, is_independent_of_previous_queries)
   }
 }
 
+// After some queries, planar fronts read stored fans.
+TEST(Front, many_planar_queries_do_not_change_results)
+{
+  for(const Triangulation& mesh : {square(20, 0.4), jittered(icosphere(3), 0.1)})
+  {
+    const Array_surface surface(mesh);
+    std::vector<double> slowness(surface.triangles()->number_of_triangles());
+    std::mt19937 random(3);
+    for(double& value : slowness)
+      value = std::uniform_real_distribution<double>(0.5, 2.)(random);
+    Front_limits with_speeds;
+    with_speeds.slowness = std::make_shared<const std::vector<double>>(slowness);
+    for(const Kind kind : {Kind::planar, Kind::euclidean})
+    {
+      Front reused(surface.triangles(), kind);
+      for(int i = 0; i < 20; ++i)
+      {
+        const std::vector<internal::Front_source> sources = {
+            surface.source(random_location(*surface.triangles(), random))};
+        // Of 20 queries, 6 without speeds come first.
+        const Front_limits limits = i < 6 || i % 3 == 0 ? Front_limits{} : with_speeds;
+        Front fresh(surface.triangles(), kind);
+        fresh.run(sources, limits);
+        reused.run(sources, limits);
+        EXPECT_EQ(surface.distances(reused), surface.distances(fresh));
+        EXPECT_EQ(reused.reached(), fresh.reached());
+      }
+    }
+  }
+}
+
 TEST(Front, copies_run_concurrently)
 {
   const Array_surface surface(jittered(icosphere(5), 0.01));

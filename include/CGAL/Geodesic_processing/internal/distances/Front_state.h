@@ -73,7 +73,7 @@ struct Front_state
   // Of a Euclidean front on a mesh with needles, caps or long edges; otherwise null.
   std::shared_ptr<const Intrinsic_triangulation> intrinsic_triangulation;
   std::shared_ptr<const Obtuse_splits> splits; // of a front that was planar in any query
-  std::shared_ptr<const Vertex_fans> fans;     // of a front with many planar queries
+  std::shared_ptr<const Vertex_fans> fans;     // replace the splits after many planar queries
   // Of a Euclidean front on a cloud: the edges of the proximity graph between different components
   // of triangles. Without vertices if there are none.
   std::shared_ptr<const Proximity_graph> component_edges;

@@ -30,6 +30,16 @@ struct Obtuse_splits
   };
   // One half of a split corner, as seen from one end of its base: from the neighbor of the corner,
   // or from the splitting vertex.
+  struct Half
+  {
+    Index corner;   // the obtuse corner
+    Index target;   // the vertex of that corner
+    Index along;    // the other end of the base
+    Index neighbor; // the end of the base that is the neighbor
+    double base;    // length of the base
+    Vec2 apex;      // position of the corner; the base runs along the first axis
+  };
+  // What identifies a half; see split_half.h.
   class View
   {
   public:
@@ -52,8 +62,8 @@ struct Obtuse_splits
   };
 
   std::vector<Split> splits; // sorted by corners
-  std::vector<Index>
-      begin;               // #vertices + 1: begin of the views of each vertex; empty without splits
+  // #vertices + 1: begin of the views of each vertex; empty without splits
+  std::vector<Index> begin;
   std::vector<View> views; // 4 #splits
   // #triangles: which of the corners is split (0 to 2), or 3; empty without splits
   std::vector<std::uint8_t> split_corner;

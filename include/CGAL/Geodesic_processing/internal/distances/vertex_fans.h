@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/distances/obtuse_splits.h>
 
 #include <memory>
 #include <vector>
@@ -17,7 +18,6 @@ struct Fan_edge
   Index vertex; // at the far end
   Index corner; // of the triangle, at the vertex that the edge leaves; none if there is no triangle
   double length;
-  Vec2 opening; // (cos, sin) of the angle of the corner
 };
 
 // Writes the edges that leave a vertex, in the order of its one-ring, and returns their end. Triangles
@@ -26,32 +26,55 @@ struct Fan_edge
 // edge of a closed fan is written at both ends.
 inline Fan_edge* read_fan_edges(const Surface_arrays& t, Index vertex, Fan_edge* end)
 {
-  const Index *corner = t.ring.data() + t.ring_begin[vertex], *const ring_end =
-                                                                  t.ring.data() +
-                                                                  t.ring_begin[vertex + 1];
-  while(corner != ring_end)
+  const Index* const ring_end = t.ring.data() + t.ring_begin[vertex + 1];
+  for(const Index* corner = t.ring.data() + t.ring_begin[vertex]; corner != ring_end;)
   {
-    const Index next = next_halfedge(*corner), previous = previous_halfedge(*corner),
-                left = t.corner[previous];
-    const double right_length = t.length[*corner], left_length = t.length[previous];
-    *end++ = {t.corner[next], *corner, right_length,
-              angle_between(right_length, left_length, t.length[next])};
+    const Index previous = previous_halfedge(*corner), left = t.corner[previous];
+    *end++ = {t.corner[next_halfedge(*corner)], *corner, t.length[*corner]};
     ++corner;
     if(corner == ring_end || t.corner[next_halfedge(*corner)] != left)
-      *end++ = {left, none, left_length, {1., 0.}};
+      *end++ = {left, none, t.length[previous]};
   }
   return end;
 }
 
-// The edges that leave each vertex of a surface, stored contiguously, for many fronts.
+// What a planar front reads around each vertex of a surface, stored contiguously, for many queries.
 struct Vertex_fans
 {
-  std::vector<Index> begin; // #vertices + 1
-  std::vector<Fan_edge> edges;
+  // A Fan_edge with all that a front computes from it.
+  class Edge
+  {
+  public:
+    Edge() = default;
+    Edge(const Fan_edge& edge, const Surface_arrays& triangles, const Obtuse_splits& splits);
+
+    Index vertex; // at the far end
+    double length;
+    Vec2 opening; // (cos, sin) of the angle of the corner
+
+    bool has_triangle() const { return m_code != none; }
+    Index triangle() const { return m_code / 4; }
+    // Returns whether the corner of the triangle at the far end of this edge, or of the next edge, is
+    // obtuse and split.
+    bool is_split() const { return (m_code & 1) != 0; }
+    bool is_next_split() const { return (m_code & 2) != 0; }
+
+  private:
+    Index m_code; // there are less than 2^30 triangles
+  };
+  struct Offsets
+  {
+    Index edge, split;
+  };
+
+  std::vector<Offsets> begin; // #vertices + 1: of the edges and split corners of each vertex
+  std::vector<Edge> edges;    // in the order of read_fan_edges()
+  std::vector<Obtuse_splits::Half> splits; // in the order of Obtuse_splits::views
 };
 
-// Returns read_fan_edges() of all vertices. O(#triangles).
-CGAL_GEODESIC_PROCESSING_EXPORT Vertex_fans build_vertex_fans(const Surface_arrays& triangles);
+// Returns the fans of all vertices of a mesh. O(#triangles).
+CGAL_GEODESIC_PROCESSING_EXPORT Vertex_fans build_vertex_fans(const Surface_arrays& triangles,
+                                                              const Obtuse_splits& splits);
 
 // Returns build_vertex_fans(), computed once as long as any user holds the result. The triangles
 // must not change afterwards. Thread-safe.
