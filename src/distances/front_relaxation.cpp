@@ -25,12 +25,13 @@ bool ends_fan(const Surface_arrays& t, Index vertex, Index position)
 }
 
 // Returns whether the angle sum of a closed fan of a vertex is not 2 pi.
-bool is_curved(const Surface_arrays& t, Index vertex)
+bool is_curved(const Front_state& front, Index vertex)
 {
+  const Surface_arrays& t = *front.triangles;
   Vec2 total_turn = {1., 0.};
   for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
   {
-    total_turn = rotated(total_turn, corner_angle(t, t.ring[i]));
+    total_turn = rotated(total_turn, corner_angle(front, t.ring[i]));
     if(!ends_fan(t, vertex, i))
       continue;
     if(next_corner_ccw(t, t.ring[i]) != none &&
@@ -65,7 +66,7 @@ bool needs_invalidation(const Front_state& front, Index vertex, double correctio
 {
   const Surface_arrays& t = *front.triangles;
   return correction > invalidation_ratio * t.length[t.ring[t.ring_begin[vertex]]] ||
-         !is_curved(t, vertex);
+         !is_curved(front, vertex);
 }
 
 bool may_improve_neighbors(const Front_state& front, Index vertex)
@@ -140,7 +141,7 @@ void relax_along_edge(Front_state& front, Index corner, bool is_left, Index flag
   if(arrival.corner == none)
   {
     arrival.corner = next_halfedge(corner);
-    arrival.direction = corner_angle(t, arrival.corner);
+    arrival.direction = corner_angle(front, arrival.corner);
   }
   relax(front, end, arrival, front.sources[vertex]);
 }

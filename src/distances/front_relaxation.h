@@ -5,8 +5,8 @@
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/distances/Front_state.h>
-
 #include "core/prefetch.h"
+#include "core/unfold.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -63,6 +63,13 @@ struct Arrival
   Index flags;    // of arrival_flags
   double delay;   // added to the distance to yield the key in the queue
 };
+
+// Returns (cos, sin) of the angle of a corner on the triangles of the front.
+inline Vec2 corner_angle(const Front_state& front, Index corner)
+{
+  return front.corner_angles ? (*front.corner_angles)[corner]
+                             : corner_angle(*front.triangles, corner);
+}
 
 // Returns whether the budget of invalidations is not exhausted.
 inline bool can_invalidate(const Front_state& front)

@@ -144,7 +144,7 @@ void update_from(Front_state& front, Index corner, bool is_mirrored)
   Vec2 source;
   if(!source_direction(front, corner, is_mirrored, source))
     return;
-  update_circular(front, vertex, corner, is_mirrored, corner_angle(t, corner),
+  update_circular(front, vertex, corner, is_mirrored, corner_angle(front, corner),
                   {source[0], -source[1]},
                   1. / (front.vertices[vertex].distance - front.offset_at(vertex)));
 }
@@ -160,7 +160,7 @@ void propagate_without_direction(Front_state& front, Index v)
   for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
   {
     const Index corner = t.ring[i];
-    const Vec2 opening = corner_angle(t, corner);
+    const Vec2 opening = corner_angle(front, corner);
     for(const bool is_mirrored : {false, true})
     {
       const Corner_edges edges = edges_at(t, corner, is_mirrored);
@@ -192,7 +192,7 @@ bool propagate_around(Front_state& front, Index v)
 
   // Counterclockwise; `angle` is the angle between the source and the edge to be crossed.
   Index number_of_triangles = 1, left = entry;
-  Vec2 angle = rotated_back(corner_angle(t, entry), direction);
+  Vec2 angle = rotated_back(corner_angle(front, entry), direction);
   angle[1] = std::max(angle[1], 0.);
   for(;;)
   {
@@ -201,7 +201,7 @@ bool propagate_around(Front_state& front, Index v)
       break;
     if(left == entry)
       return number_of_triangles == degree;
-    const Vec2 opening = corner_angle(t, left), next_angle = rotated(angle, opening);
+    const Vec2 opening = corner_angle(front, left), next_angle = rotated(angle, opening);
     if(next_angle[1] >= shadow_tolerance)
       update_circular(front, v, left, false, opening, angle, min_curvature);
     ++number_of_triangles;
@@ -217,7 +217,7 @@ bool propagate_around(Front_state& front, Index v)
     right = next_corner_cw(t, right);
     if(right == none)
       break;
-    const Vec2 opening = corner_angle(t, right), next_angle = rotated(angle, opening);
+    const Vec2 opening = corner_angle(front, right), next_angle = rotated(angle, opening);
     if(next_angle[1] >= shadow_tolerance)
       update_circular(front, v, right, true, opening, angle, min_curvature);
     angle = next_angle;
@@ -254,7 +254,7 @@ bool source_direction(const Front_state& front, Index corner, bool is_mirrored, 
   const Vec2 direction = front.directions[t.corner[corner]];
   if(t.is_cloud() || vertex.corner == none || vertex.corner == corner)
     return false;
-  Vec2 angle = is_mirrored ? direction : rotated_back(corner_angle(t, vertex.corner), direction);
+  Vec2 angle = is_mirrored ? direction : rotated_back(corner_angle(front, vertex.corner), direction);
   angle[1] = std::max(angle[1], 0.);
   for(Index rotated_corner = is_mirrored ? next_corner_cw(t, vertex.corner)
                                          : next_corner_ccw(t, vertex.corner);
@@ -267,7 +267,7 @@ bool source_direction(const Front_state& front, Index corner, bool is_mirrored, 
       source = {angle[0], -angle[1]};
       return true;
     }
-    angle = rotated(angle, corner_angle(t, rotated_corner));
+    angle = rotated(angle, corner_angle(front, rotated_corner));
     if(angle[1] < 0.)
       break;
   }

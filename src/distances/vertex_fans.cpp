@@ -6,6 +6,7 @@
 #include "distances/split_half.h"
 
 #include <cstddef>
+#include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -50,6 +51,20 @@ std::shared_ptr<const Vertex_fans> shared_vertex_fans(const Surface_arrays& t)
   if(!result)
     t.shared.vertex_fans = result =
         std::make_shared<const Vertex_fans>(build_vertex_fans(t, *splits));
+  return result;
+}
+
+std::shared_ptr<const std::vector<Vec2>> shared_corner_angles(const Surface_arrays& t)
+{
+  const std::lock_guard<std::mutex> lock(t.shared.mutex);
+  std::shared_ptr<const std::vector<Vec2>> result = t.shared.corner_angles.lock();
+  if(!result)
+  {
+    std::vector<Vec2> angles(t.corner.size());
+    for(Index corner = 0; corner < angles.size(); ++corner)
+      angles[corner] = corner_angle(t, corner);
+    t.shared.corner_angles = result = std::make_shared<const std::vector<Vec2>>(std::move(angles));
+  }
   return result;
 }
 

@@ -960,8 +960,8 @@ TEST(Front, is_independent_of_previous_queries)
   }
 }
 
-// After some queries, planar fronts read stored fans.
-TEST(Front, many_planar_queries_do_not_change_results)
+// After some queries, fronts read stored angles or fans.
+TEST(Front, many_queries_do_not_change_results)
 {
   for(const Triangulation& mesh : {square(20, 0.4), jittered(icosphere(3), 0.1)})
   {

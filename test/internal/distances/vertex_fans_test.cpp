@@ -114,6 +114,17 @@ TEST(Vertex_fans, contain_halves_of_split_corners)
     }
 }
 
+TEST(Corner_angles, are_those_of_all_corners_and_shared)
+{
+  const Array_surface surface(square(5, 0.3));
+  const Surface_arrays& t = surface.t();
+  const auto angles = shared_corner_angles(t);
+  EXPECT_EQ(shared_corner_angles(t), angles);
+  ASSERT_EQ(angles->size(), t.corner.size());
+  for(Index corner = 0; corner < t.corner.size(); ++corner)
+    EXPECT_EQ((*angles)[corner], corner_angle(t, corner));
+}
+
 TEST(Vertex_fans, are_shared_while_referenced)
 {
   const Array_surface surface(square(4, 0.2));

@@ -40,8 +40,8 @@ enum class Bisected_edges
   long_edges, // much longer than edges of equilateral triangles
 };
 
-// What all fronts on the same arrays share, as long as one of these fronts exists; see
-// vertex_fans.h, obtuse_splits.h and Intrinsic_triangulation.h. A copy of the arrays starts without it, because its
+// What all fronts on the same arrays share, as long as one of these fronts exists; see vertex_fans.h,
+// obtuse_splits.h and Intrinsic_triangulation.h. A copy of the arrays starts without it, because its
 // lengths may be changed.
 struct Shared_structures
 {
@@ -50,6 +50,7 @@ struct Shared_structures
   Shared_structures& operator=(const Shared_structures&)
   {
     vertex_fans = {};
+    corner_angles = {};
     obtuse_splits = {};
     intrinsic_triangulations = {};
     return *this;
@@ -57,6 +58,7 @@ struct Shared_structures
 
   std::mutex mutex;
   std::weak_ptr<const Vertex_fans> vertex_fans;
+  std::weak_ptr<const std::vector<std::array<double, 2>>> corner_angles;
   std::weak_ptr<const Obtuse_splits> obtuse_splits;
   // Without and with bisected edges.
   std::array<std::weak_ptr<const Intrinsic_triangulation>, 2> intrinsic_triangulations;

@@ -74,6 +74,8 @@ struct Front_state
   std::shared_ptr<const Intrinsic_triangulation> intrinsic_triangulation;
   std::shared_ptr<const Obtuse_splits> splits; // of a front that was planar in any query
   std::shared_ptr<const Vertex_fans> fans;     // replace the splits after many planar queries
+  // #corners: (cos, sin) of the angles, of a front with many circular queries
+  std::shared_ptr<const std::vector<Vec2>> corner_angles;
   // Of a Euclidean front on a cloud: the edges of the proximity graph between different components
   // of triangles. Without vertices if there are none.
   std::shared_ptr<const Proximity_graph> component_edges;

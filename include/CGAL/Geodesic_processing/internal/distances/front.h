@@ -67,6 +67,7 @@ public:
 
 private:
   void begin_query(const Front_limits& limits);
+  void store_geometry();
   bool propagate(const Front_limits& limits);
   void propagate_from(Index vertex);
   std::vector<Index> collect_final_vertices();

@@ -81,6 +81,12 @@ CGAL_GEODESIC_PROCESSING_EXPORT Vertex_fans build_vertex_fans(const Surface_arra
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const Vertex_fans> shared_vertex_fans(const Surface_arrays& triangles);
 
+// Returns (cos, sin) of the angle of each corner, for many circular fronts. It is computed once as
+// long as any user holds the result. The triangles must not change afterwards. Thread-safe.
+// O(#triangles).
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::shared_ptr<const std::vector<Vec2>> shared_corner_angles(const Surface_arrays& triangles);
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_VERTEX_FANS_H
