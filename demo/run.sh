@@ -466,6 +466,10 @@ as=hodge_decomposition_maze property=potential program hodge_decomposition $mode
   $build/hodge_decomposition_maze.ply
 program compare_methods "$small"
 program damaged_soup "$animal" $build/damaged_soup.ply
+# Generates a mesh of a million vertices.
+if "$build/geodesic" semiregular "$animal" --number 1000 --levels 5 --quiet -o $build/large.ply 2>>$log; then
+  property=none program large_inputs $build/large.ply
+fi
 program mesh_vs_cloud "$animal" $build/cloud.ply
 program voronoi_areas "$bear" $build/voronoi_areas.ply
 program path_queries "$animal"
