@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/distances/obtuse_splits.h>
 
+#include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include "core/unfold.h"
 
@@ -56,11 +57,11 @@ Split find_splitting_vertex(const Surface_arrays& t, Index corner, const Vec2& a
   return {corner, none, 0., {0., 0.}, {0., 0.}};
 }
 
-// Returns the obtuse corners that can be split, with the vertices that split them.
-std::vector<Split> find_splits(const Surface_arrays& t)
+// Appends the obtuse corners of a range that can be split, with the vertices that split them.
+void find_splits(const Surface_arrays& t, std::size_t begin, std::size_t end,
+                 std::vector<Split>& result)
 {
-  std::vector<Split> result;
-  for(Index corner = 0; corner < t.corner.size(); ++corner)
+  for(Index corner = static_cast<Index>(begin); corner < end; ++corner)
   {
     const double a = t.length[corner], b = t.length[previous_halfedge(corner)],
                  opposite = t.length[next_halfedge(corner)];
@@ -74,6 +75,16 @@ std::vector<Split> find_splits(const Surface_arrays& t)
     if(split.vertex != none)
       result.push_back(split);
   }
+}
+
+// Returns the splits of blocks of consecutive corners.
+std::vector<std::vector<Split>> find_splits(const Surface_arrays& t)
+{
+  constexpr std::size_t block_size = 1 << 14;
+  std::vector<std::vector<Split>> result((t.corner.size() + block_size - 1) / block_size);
+  for_each_block(t.corner.size(), block_size, t.number_of_threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 { find_splits(t, begin, end, result[block]); });
   return result;
 }
 
@@ -99,22 +110,55 @@ Obtuse_splits split_obtuse_corners(const Surface_arrays& t)
   Obtuse_splits result;
   if(t.is_cloud())
     return result;
-  result.splits = find_splits(t);
-  if(result.splits.empty())
+  std::vector<std::vector<Split>> blocks = find_splits(t);
+  std::size_t number_of_splits = 0;
+  for(const std::vector<Split>& block : blocks)
+    number_of_splits += block.size();
+  if(number_of_splits == 0)
     return result;
-  result.split_corner.assign(t.number_of_triangles(), 3);
-  for(const Split& split : result.splits)
-    result.split_corner[split.corner / 3] = static_cast<std::uint8_t>(split.corner % 3);
-  result.begin.assign(t.number_of_vertices() + 1, 0);
-  for_each_view(t, result,
-                [&](Index vertex, const Obtuse_splits::View&) { ++result.begin[vertex]; });
+  const auto join_blocks = [&]
+  {
+    result.splits.reserve(number_of_splits);
+    for(const std::vector<Split>& block : blocks)
+      result.splits.insert(result.splits.end(), block.begin(), block.end());
+    blocks = {};
+  };
+  const std::size_t n = t.number_of_vertices();
+  const auto allocate_others = [&]
+  {
+    result.split_corner.assign(t.number_of_triangles(), 3);
+    result.begin.assign(n + 1, 0);
+    result.views.resize(4 * number_of_splits);
+  };
+  run_both(t.number_of_threads, join_blocks, allocate_others);
+
+  for_each_index(number_of_splits, t.number_of_threads,
+                 [&](std::size_t i)
+                 {
+                   const Index corner = result.splits[i].corner;
+                   result.split_corner[corner / 3] = static_cast<std::uint8_t>(corner % 3);
+                 });
+  // Each thread reads all splits and visits the views of its own range of vertices.
+  const auto for_each_view_of_ranges = [&](const auto& visit)
+  {
+    for_each_block(n, block_size_of_threads(n, t.number_of_threads), t.number_of_threads,
+                   [&](std::size_t, std::size_t begin, std::size_t end)
+                   {
+                     for_each_view(t, result,
+                                   [&](Index vertex, const Obtuse_splits::View& view)
+                                   {
+                                     if(vertex >= begin && vertex < end)
+                                       visit(vertex, view);
+                                   });
+                   });
+  };
+  for_each_view_of_ranges([&](Index vertex, const Obtuse_splits::View&)
+                          { ++result.begin[vertex]; });
   // The views of a vertex are stored from the last to the first, so that the end of each range
   // becomes its begin.
   std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
-  result.views.resize(result.begin.back());
-  for_each_view(t, result,
-                [&](Index vertex, const Obtuse_splits::View& view)
-                { result.views[--result.begin[vertex]] = view; });
+  for_each_view_of_ranges([&](Index vertex, const Obtuse_splits::View& view)
+                          { result.views[--result.begin[vertex]] = view; });
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
 
 #include "mesh/edges_of_soup.h"
+#include "mesh/orient_triangles.h"
 #include "mesh/oriented_rings.h"
 
 #include <algorithm>
@@ -57,6 +58,35 @@ constexpr std::size_t block_size = 1 << 14;
 
 std::size_t number_of_blocks(std::size_t size) { return (size + block_size - 1) / block_size; }
 
+// Allocates the arrays. The initialization to zero takes a tenth of the whole construction, so
+// threads share it, the largest arrays first.
+void resize_arrays(Mesh_arrays& result, std::size_t number_of_points, std::size_t number_of_faces,
+                   unsigned number_of_threads)
+{
+  Surface_arrays& t = result.arrays;
+  for_each_block(6, 1, number_of_threads,
+                 [&](std::size_t i, std::size_t, std::size_t)
+                 {
+                   switch(i)
+                   {
+                   case 0:
+                     return t.length.resize(3 * number_of_faces);
+                   case 1:
+                     return t.corner.resize(3 * number_of_faces);
+                   case 2:
+                     return t.twin.resize(3 * number_of_faces);
+                   case 3:
+                     return t.ring.resize(3 * number_of_faces);
+                   case 4:
+                     return t.point.resize(number_of_points);
+                   default:
+                     result.internal_vertex.resize(number_of_points);
+                     result.triangle_of_face.resize(number_of_faces);
+                     result.face_of_triangle.resize(number_of_faces);
+                   }
+                 });
+}
+
 // Sorts the points and fills the maps between the vertices. The points are not scaled.
 void sort_points(Mesh_arrays& result, const std::vector<std::array<double, 3>>& points,
                  const Frame& frame, unsigned number_of_threads)
@@ -64,15 +94,12 @@ void sort_points(Mesh_arrays& result, const std::vector<std::array<double, 3>>& 
   result.caller_vertex = morton_order(points, frame, number_of_threads);
   result.internal_vertex.resize(points.size());
   result.arrays.point.resize(points.size());
-  for_each_block(points.size(), block_size, number_of_threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
+  for_each_index(points.size(), number_of_threads,
+                 [&](std::size_t s)
                  {
-                   for(std::size_t s = begin; s < end; ++s)
-                   {
-                     const Index v = result.caller_vertex[s];
-                     result.internal_vertex[v] = static_cast<Index>(s);
-                     result.arrays.point[s] = points[v];
-                   }
+                   const Index v = result.caller_vertex[s];
+                   result.internal_vertex[v] = static_cast<Index>(s);
+                   result.arrays.point[s] = points[v];
                  });
 }
 
@@ -81,44 +108,52 @@ void sort_points(Mesh_arrays& result, const std::vector<std::array<double, 3>>& 
 void sort_triangles(Mesh_arrays& result, const std::vector<Index>& corners,
                     unsigned number_of_threads)
 {
-  const std::size_t m = corners.size() / 3;
+  const std::size_t n = result.caller_vertex.size(), m = corners.size() / 3;
   const Index* const internal = result.internal_vertex.data();
-  std::vector<Index>& triangle_of_face = result.triangle_of_face;
-  triangle_of_face.resize(m);
-  const auto for_each_face = [&](const auto& visit)
-  {
-    for_each_block(m, block_size, number_of_threads,
-                   [&](std::size_t, std::size_t begin, std::size_t end)
-                   {
-                     for(std::size_t f = begin; f < end; ++f)
-                       visit(f);
-                   });
-  };
-  // First the smallest vertex of each face, then its position.
-  for_each_face(
-      [&](std::size_t f)
-      {
-        const Index* const corner = corners.data() + 3 * f;
-        triangle_of_face[f] =
-            std::min({internal[corner[0]], internal[corner[1]], internal[corner[2]]});
-      });
-  std::vector<Index> begin(result.caller_vertex.size() + 1, 0);
-  for(const Index smallest : triangle_of_face)
-    ++begin[smallest + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  for(Index& triangle : triangle_of_face)
-    triangle = begin[triangle]++;
-
+  result.triangle_of_face.resize(m);
   result.face_of_triangle.resize(m);
   result.arrays.corner.resize(3 * m);
-  for_each_face(
-      [&](std::size_t f)
+  // Each thread reads the smallest vertices of all faces and counts those of its own range.
+  std::vector<Index>& smallest_vertex = result.face_of_triangle; // until it is overwritten below
+  for_each_index(m, number_of_threads,
+                 [&](std::size_t f)
+                 {
+                   const Index* const corner = corners.data() + 3 * f;
+                   smallest_vertex[f] =
+                       std::min({internal[corner[0]], internal[corner[1]], internal[corner[2]]});
+                 });
+  std::vector<Index> begin(n + 1, 0);
+  const auto for_each_range = [&](const auto& visit)
+  {
+    for_each_block(n, block_size_of_threads(n, number_of_threads), number_of_threads,
+                   [&](std::size_t, std::size_t first, std::size_t last)
+                   { visit(static_cast<Index>(first), static_cast<Index>(last - first)); });
+  };
+  for_each_range(
+      [&](Index first, Index size)
       {
-        const Index triangle = triangle_of_face[f];
-        result.face_of_triangle[triangle] = static_cast<Index>(f);
-        for(std::size_t k = 0; k < 3; ++k)
-          result.arrays.corner[3 * std::size_t(triangle) + k] = internal[corners[3 * f + k]];
+        for(const Index smallest : smallest_vertex)
+          if(smallest - first < size)
+            ++begin[smallest + 1];
       });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  for_each_range(
+      [&](Index first, Index size)
+      {
+        for(std::size_t f = 0; f < m; ++f)
+          if(const Index smallest = smallest_vertex[f]; smallest - first < size)
+            result.triangle_of_face[f] = begin[smallest]++;
+      });
+
+  for_each_index(m, number_of_threads,
+                 [&](std::size_t f)
+                 {
+                   const Index triangle = result.triangle_of_face[f];
+                   result.face_of_triangle[triangle] = static_cast<Index>(f);
+                   for(std::size_t k = 0; k < 3; ++k)
+                     result.arrays.corner[3 * std::size_t(triangle) + k] =
+                         internal[corners[3 * f + k]];
+                 });
 }
 
 // Fills the twins from those of the faces.
@@ -216,17 +251,16 @@ void measure(Mesh_arrays& result, const Frame& frame, unsigned number_of_threads
   const double factor = 1. / unit_length; // exact: a power of two
   // The maximum of each length and a constant preserves the triangle inequality.
   const double min_length = statistics.longest > 0. ? min_edge_length : 0.;
-  for_each_block(t.length.size(), block_size, number_of_threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
-                 {
-                   for(std::size_t h = begin; h < end; ++h)
-                     t.length[h] = factor * std::max(t.length[h], min_length);
-                 });
-  to_frame(t.point, frame);
+  for_each_index(t.length.size(), number_of_threads,
+                 [&](std::size_t h) { t.length[h] = factor * std::max(t.length[h], min_length); });
+  to_frame(t.point, frame, number_of_threads);
   if(factor != 1.)
-    for(auto& point : t.point)
-      for(double& coordinate : point)
-        coordinate *= factor;
+    for_each_index(t.point.size(), number_of_threads,
+                   [&](std::size_t v)
+                   {
+                     for(double& coordinate : t.point[v])
+                       coordinate *= factor;
+                   });
   t.scale = frame.scale * unit_length;
   t.origin = frame.origin;
 }
@@ -249,18 +283,21 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
 
 std::optional<Mesh_arrays> build_oriented_arrays(const std::vector<std::array<double, 3>>& points,
                                                  const std::vector<Index>& corners,
-                                                 Ring_counts& counts, unsigned number_of_threads)
+                                                 Mesh_counts& counts, unsigned number_of_threads)
 {
   Mesh_arrays result;
-  const Frame frame = unit_frame(points, corners);
+  resize_arrays(result, points.size(), corners.size() / 3, number_of_threads);
+  const Frame frame = unit_frame(points, corners, number_of_threads);
   sort_points(result, points, frame, number_of_threads);
   sort_triangles(result, corners, number_of_threads);
   const std::optional<Ring_counts> ring_counts =
       build_oriented_rings(result.arrays, points.size(), number_of_threads);
   if(!ring_counts)
     return std::nullopt;
-  counts = *ring_counts;
-  measure(result, frame, number_of_threads);
+  counts.rings = *ring_counts;
+  run_both(
+      number_of_threads, [&] { measure(result, frame, number_of_threads); },
+      [&] { counts.number_of_components = count_components(result.arrays.twin); });
   return result;
 }
 

@@ -140,12 +140,11 @@ void collect_corners(Surface_arrays& t, std::size_t number_of_vertices, unsigned
 {
   t.ring_begin.assign(number_of_vertices + 1, 0);
   t.ring.resize(t.corner.size());
-  const std::size_t range =
-      std::max<std::size_t>(1, (number_of_vertices + number_of_threads - 1) / number_of_threads);
   Index* const begin = t.ring_begin.data();
   const auto for_each_range = [&](const auto& visit)
   {
-    for_each_block(number_of_vertices, range, number_of_threads,
+    for_each_block(number_of_vertices, block_size_of_threads(number_of_vertices, number_of_threads),
+                   number_of_threads,
                    [&](std::size_t, std::size_t first, std::size_t last)
                    { visit(static_cast<Index>(first), static_cast<Index>(last - first)); });
   };

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/mesh/polygon_soup.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include "mesh/edges_of_soup.h"
@@ -27,14 +28,23 @@ void check(const Polygon_soup& soup, const Soup_options& options)
   if(options.merge_tolerance &&
      !(*options.merge_tolerance >= 0. && *options.merge_tolerance < infinity))
     throw Invalid_argument_error("merge_tolerance is negative or not finite.");
+  const auto is_finite = [&](std::size_t i)
+  {
+    const Vec3& p = soup.points[i];
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  };
+  const auto is_point = [&](std::size_t i) { return soup.corners[i] < soup.points.size(); };
+  if(is_true_for_all(soup.points.size(), options.number_of_threads, is_finite) &&
+     is_true_for_all(soup.corners.size(), options.number_of_threads, is_point))
+    return;
+  // Finds the first error.
   for(std::size_t i = 0; i < soup.points.size(); ++i)
-    for(const double x : soup.points[i])
-      if(!std::isfinite(x))
-        throw Invalid_argument_error("Point " + std::to_string(i) +
-                                     " has a coordinate that is not finite.");
+    if(!is_finite(i))
+      throw Invalid_argument_error("Point " + std::to_string(i) +
+                                   " has a coordinate that is not finite.");
   for(std::size_t f = 0; f + 1 < soup.polygon_begin.size(); ++f)
     for(std::size_t i = soup.polygon_begin[f]; i < soup.polygon_begin[f + 1]; ++i)
-      if(soup.corners[i] >= soup.points.size())
+      if(!is_point(i))
         throw Invalid_argument_error("Polygon " + std::to_string(f) +
                                      " has a corner that is not the index of a point.");
 }
@@ -159,24 +169,25 @@ bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c)
 }
 
 // Returns whether all polygons are triangles of three different corners.
-bool has_only_triangles(const Polygon_soup& soup)
+bool has_only_triangles(const Polygon_soup& soup, unsigned number_of_threads)
 {
-  const std::vector<Index>& corners = soup.corners;
-  if(corners.size() != 3 * (soup.polygon_begin.size() - 1))
-    return false;
-  for(std::size_t f = 0; f + 1 < soup.polygon_begin.size(); ++f)
-    if(const std::size_t c = 3 * f; soup.polygon_begin[f] != c || corners[c] == corners[c + 1] ||
-                                    corners[c + 1] == corners[c + 2] ||
-                                    corners[c + 2] == corners[c])
-      return false;
-  return true;
+  const std::size_t number_of_polygons = soup.polygon_begin.size() - 1;
+  const auto is_triangle = [&](std::size_t f)
+  {
+    const Index* const corner = soup.corners.data() + 3 * f;
+    return soup.polygon_begin[f] == 3 * f && corner[0] != corner[1] && corner[1] != corner[2] &&
+           corner[2] != corner[0];
+  };
+  return soup.corners.size() == 3 * number_of_polygons &&
+         is_true_for_all(number_of_polygons, number_of_threads, is_triangle);
 }
 
 // Appends the triangles of all polygons. If all are triangles that need no change, moves the corners
 // of the soup and leaves `polygon` empty.
 void triangulate(Polygon_soup& soup, const Soup_options& options, Repaired_soup& result)
 {
-  if(result.replacement.empty() && !options.do_remove_degenerate_faces && has_only_triangles(soup))
+  if(result.replacement.empty() && !options.do_remove_degenerate_faces &&
+     has_only_triangles(soup, options.number_of_threads))
   {
     result.corners = std::move(soup.corners);
     return;
@@ -383,20 +394,21 @@ Soup_arrays build_soup_arrays(Polygon_soup soup, const Soup_options& options)
     remove_replaced_points(soup.points, repaired.replacement, repaired.corners);
 
   Soup_arrays result;
-  Ring_counts counts;
+  Mesh_counts counts;
   if(auto arrays =
          build_oriented_arrays(soup.points, repaired.corners, counts, options.number_of_threads))
   {
     result.mesh = std::move(*arrays);
-    repaired.report.number_of_components = count_components(result.mesh.arrays.twin);
-    repaired.report.number_of_nonmanifold_points = counts.number_of_nonmanifold_vertices;
-    measure_topology(counts.number_of_fans, result.mesh.arrays.twin, repaired.report);
+    repaired.report.number_of_components = counts.number_of_components;
+    repaired.report.number_of_nonmanifold_points = counts.rings.number_of_nonmanifold_vertices;
+    measure_topology(counts.rings.number_of_fans, result.mesh.arrays.twin, repaired.report);
   }
   else
   {
     glue(soup.points.size(), repaired);
     result.mesh = build_mesh_arrays(std::move(soup.points), repaired.corners, repaired.twins);
   }
+  result.mesh.arrays.number_of_threads = options.number_of_threads;
   result.report = repaired.report;
   result.report.number_of_triangles_without_area = result.mesh.number_of_degenerate_triangles;
   result.replacement = std::move(repaired.replacement);

@@ -138,8 +138,9 @@ protected:
   struct Data
   {
     explicit Data(const TriangleMesh& mesh) : index_of_vertex(mesh), triangle_of_face(mesh) {}
-    Data(std::size_t number_of_points, std::size_t number_of_faces)
-        : index_of_vertex(number_of_points), triangle_of_face(number_of_faces)
+    // For Soup_domain: the indices of all points, and the triangles of all faces.
+    Data(std::vector<internal::Index> indices, std::vector<internal::Index> triangles)
+        : index_of_vertex(std::move(indices)), triangle_of_face(std::move(triangles))
     {}
 
     internal::Index_map<TriangleMesh, dynamic_vertex_property_t<internal::Index>> index_of_vertex;
@@ -154,10 +155,7 @@ protected:
     std::pair<Face, Face> face_range;
   };
   // Sorts the vertices and faces, which are in the order of the caller, in the order of the arrays.
-  //
-  // replacements: #data.merged_vertices, positions in data.vertices
-  void initialize(Data data, const std::vector<internal::Index>& replacements,
-                  internal::Mesh_arrays arrays);
+  void initialize(Data data, internal::Mesh_arrays arrays);
 
   const TriangleMesh* m_mesh = nullptr; // null if the surface is a soup
   std::shared_ptr<const internal::Lazy_mesh<TriangleMesh>> m_mesh_of_soup;
@@ -249,14 +247,11 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
     if(h != halfedge(read_face, mesh))
       throw Unsupported_surface_error("A face of the mesh is not a triangle.");
   }
-  initialize(std::move(data), {},
-             internal::build_mesh_arrays(std::move(coordinates), corners, twins));
+  initialize(std::move(data), internal::build_mesh_arrays(std::move(coordinates), corners, twins));
 }
 
 template <typename TriangleMesh>
-void Mesh_domain<TriangleMesh>::initialize(Data data,
-                                           const std::vector<internal::Index>& replacements,
-                                           internal::Mesh_arrays arrays)
+void Mesh_domain<TriangleMesh>::initialize(Data data, internal::Mesh_arrays arrays)
 {
   using internal::Index;
   const auto read_vertices = std::move(data.vertices);
@@ -287,12 +282,6 @@ void Mesh_domain<TriangleMesh>::initialize(Data data,
   {
     data.triangle_of_face.set(read_faces[face], static_cast<Index>(data.faces.size()));
     data.faces.push_back(read_faces[face]);
-  }
-  for(std::size_t i = 0; i < replacements.size(); ++i)
-  {
-    const Vertex v = data.merged_vertices[i];
-    data.index_of_vertex.set(v, arrays.internal_vertex[replacements[i]]);
-    data.vertex_range.second = std::max(data.vertex_range.second, v);
   }
   m_triangles = std::make_shared<const internal::Surface_arrays>(std::move(arrays.arrays));
   m_data = std::make_shared<const Data>(std::move(data));

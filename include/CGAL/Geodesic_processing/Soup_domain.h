@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/Mesh_domain.h>
 #include <CGAL/Geodesic_processing/Soup_report.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/soup_mesh.h>
+#include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/mesh/polygon_soup.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
@@ -97,7 +98,7 @@ private:
     Soup_report report;
     std::vector<Index> polygon; // #faces; see Soup_arrays
   };
-  void initialize(std::vector<Point> points, internal::Soup_arrays soup);
+  void initialize(std::size_t number_of_points, internal::Soup_arrays soup);
 
   std::shared_ptr<const Content> m_content;
 };
@@ -117,76 +118,106 @@ Soup_domain<Point>::Soup_domain(const PointRange& points, const PolygonRange& po
       static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
   if(number_of_points >= internal::none)
     throw Unsupported_surface_error("The soup has more than 2^32 points.");
-  soup.points.reserve(number_of_points);
-  for(const auto& element : points)
+  const auto read_points = [&]
   {
-    const auto& p = get(point_map, element);
-    soup.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
-  }
-  const auto number_of_polygons =
-      static_cast<std::size_t>(std::distance(std::begin(polygons), std::end(polygons)));
-  soup.polygon_begin.reserve(number_of_polygons + 1);
-  for(const auto& polygon : polygons)
-    soup.polygon_begin.push_back(
-        soup.polygon_begin.back() +
-        static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon))));
-  soup.corners.resize(soup.polygon_begin.back());
-  Index* soup_corner = soup.corners.data();
-  for(const auto& polygon : polygons)
-    for(const auto corner : polygon)
+    soup.points.reserve(number_of_points);
+    for(const auto& element : points)
     {
-      // Negative numbers become large ones.
-      const auto point = static_cast<std::size_t>(corner);
-      *soup_corner++ = point < number_of_points ? static_cast<Index>(point) : internal::none;
+      const auto& p = get(point_map, element);
+      soup.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
     }
+  };
+  const auto read_polygons = [&]
+  {
+    const auto number_of_polygons =
+        static_cast<std::size_t>(std::distance(std::begin(polygons), std::end(polygons)));
+    soup.polygon_begin.reserve(number_of_polygons + 1);
+    for(const auto& polygon : polygons)
+      soup.polygon_begin.push_back(
+          soup.polygon_begin.back() +
+          static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon))));
+    soup.corners.resize(soup.polygon_begin.back());
+    Index* soup_corner = soup.corners.data();
+    for(const auto& polygon : polygons)
+      for(const auto corner : polygon)
+      {
+        // Negative numbers become large ones.
+        const auto point = static_cast<std::size_t>(corner);
+        *soup_corner++ = point < number_of_points ? static_cast<Index>(point) : internal::none;
+      }
+  };
+  const auto number_of_threads = internal::parameter(np, internal_np::number_of_threads, 1u);
+  // The points are read by one thread at a time, because numbers of a kernel with lazy evaluation
+  // change when they are read.
+  internal::run_both(number_of_threads, read_points, read_polygons);
   internal::Soup_options options;
   if constexpr(internal::has_parameter<NamedParameters, internal_np::merge_tolerance_t>)
     options.merge_tolerance = internal::parameter(np, internal_np::merge_tolerance, 0.);
   options.do_remove_degenerate_faces =
       internal::parameter(np, internal_np::do_remove_degenerate_faces, false);
-  options.number_of_threads = internal::parameter(np, internal_np::number_of_threads, 1u);
+  options.number_of_threads = number_of_threads;
   internal::Soup_arrays arrays = internal::build_soup_arrays(std::move(soup), options);
 
   std::vector<Point> points_of_mesh;
-  points_of_mesh.reserve(number_of_points);
-  for(const auto& element : points)
-    points_of_mesh.push_back(get(point_map, element));
-  initialize(std::move(points_of_mesh), std::move(arrays));
+  const auto copy_points = [&]
+  {
+    points_of_mesh.reserve(number_of_points);
+    for(const auto& element : points)
+      points_of_mesh.push_back(get(point_map, element));
+  };
+  internal::run_both(number_of_threads, copy_points,
+                     [&] { initialize(number_of_points, std::move(arrays)); });
+  using Mesh = Surface_mesh<Point>;
+  this->m_mesh_of_soup = std::make_shared<const internal::Lazy_mesh<Mesh>>(
+      [points = std::move(points_of_mesh), triangles = this->m_triangles, data = this->m_data]
+      { return internal::soup_mesh(points, *triangles, data->vertices, data->faces); });
 }
 
 template <typename Point>
-void Soup_domain<Point>::initialize(std::vector<Point> points, internal::Soup_arrays soup)
+void Soup_domain<Point>::initialize(std::size_t number_of_points, internal::Soup_arrays soup)
 {
   using Mesh = Surface_mesh<Point>;
-  const std::size_t number_of_faces = soup.mesh.arrays.number_of_triangles();
-  typename Base::Data data(points.size(), number_of_faces);
-  data.faces.reserve(number_of_faces);
-  data.vertices.reserve(points.size());
-  for(Index f = 0; f < number_of_faces; ++f)
-    data.faces.push_back(typename Mesh::Face_index(f));
-
-  // The positions of the points that have not been replaced.
-  std::vector<Index> position(soup.replacement.size()), replacements;
-  for(Index i = 0; i < points.size(); ++i)
+  using Vertex = typename Mesh::Vertex_index;
+  using Face = typename Mesh::Face_index;
+  internal::Mesh_arrays& mesh = soup.mesh;
+  std::vector<Index> indices = std::move(mesh.internal_vertex);
+  std::vector<Vertex> merged_vertices;
+  if(!soup.replacement.empty())
   {
-    const typename Mesh::Vertex_index vertex(i);
-    if(!soup.replacement.empty())
+    // Vertices of the arrays are numbered without the points that have been replaced.
+    const std::vector<Index> remaining = std::move(indices);
+    std::vector<Index> position;
+    indices.resize(number_of_points);
+    for(Index i = 0; i < number_of_points; ++i)
     {
-      if(soup.replacement[i] != i)
+      if(soup.replacement[i] == i)
       {
-        data.merged_vertices.push_back(vertex);
-        replacements.push_back(position[soup.replacement[i]]);
+        indices[i] = remaining[position.size()];
+        position.push_back(i);
         continue;
       }
-      position[i] = static_cast<Index>(data.vertices.size());
+      indices[i] = indices[soup.replacement[i]];
+      merged_vertices.push_back(Vertex(i));
     }
-    data.vertices.push_back(vertex);
+    for(Index& v : mesh.caller_vertex)
+      v = position[v];
   }
-  Base::initialize(std::move(data), replacements, std::move(soup.mesh));
+
+  typename Base::Data data(std::move(indices), std::move(mesh.triangle_of_face));
+  data.merged_vertices = std::move(merged_vertices);
+  data.vertices.reserve(mesh.caller_vertex.size());
+  for(const Index v : mesh.caller_vertex)
+    data.vertices.push_back(Vertex(v));
+  data.faces.reserve(mesh.face_of_triangle.size());
+  for(const Index f : mesh.face_of_triangle)
+    data.faces.push_back(Face(f));
+  if(!data.vertices.empty())
+    data.vertex_range = {Vertex(0), Vertex(static_cast<Index>(number_of_points - 1))};
+  if(!data.faces.empty())
+    data.face_range = {Face(0), Face(static_cast<Index>(data.faces.size() - 1))};
+  this->m_triangles = std::make_shared<const internal::Surface_arrays>(std::move(mesh.arrays));
+  this->m_data = std::make_shared<const typename Base::Data>(std::move(data));
   m_content = std::make_shared<const Content>(Content{soup.report, std::move(soup.polygon)});
-  this->m_mesh_of_soup = std::make_shared<const internal::Lazy_mesh<Mesh>>(
-      [points = std::move(points), triangles = this->m_triangles, data = this->m_data]
-      { return internal::soup_mesh(points, *triangles, data->vertices, data->faces); });
 }
 
 namespace internal {
@@ -239,7 +270,8 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_threads}
-///     \cgalParamDescription{the number of threads}
+///     \cgalParamDescription{the number of threads. The construction of a solver with
+///       `Fast_marching` on this domain uses it, too}
 ///     \cgalParamType{`unsigned`}
 ///     \cgalParamDefault{1; with `CGAL::Parallel_tag`, the number of hardware threads}
 ///   \cgalParamNEnd

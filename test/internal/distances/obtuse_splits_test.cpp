@@ -105,6 +105,41 @@ TEST(Obtuse_splits, need_obtuse_corners_and_triangles_behind_them)
   EXPECT_FALSE(s.is_split(2));
 }
 
+TEST(Obtuse_splits, do_not_depend_on_threads)
+{
+  const Array_surface surface(square(100, 0.2));
+  Surface_arrays t = surface.t();
+  const Obtuse_splits expected = split_obtuse_corners(t);
+  EXPECT_GT(expected.splits.size(), 1000u);
+  for(const unsigned number_of_threads : {2u, 5u})
+  {
+    t.number_of_threads = number_of_threads;
+    const Obtuse_splits splits = split_obtuse_corners(t);
+    ASSERT_EQ(splits.splits.size(), expected.splits.size());
+    for(std::size_t i = 0; i < splits.splits.size(); ++i)
+    {
+      const Obtuse_splits::Split &split = splits.splits[i], &other = expected.splits[i];
+      EXPECT_EQ(split.corner, other.corner);
+      EXPECT_EQ(split.vertex, other.vertex);
+      EXPECT_EQ(split.length, other.length);
+      EXPECT_EQ(split.to_neighbor, other.to_neighbor);
+      EXPECT_EQ(split.base, other.base);
+    }
+    EXPECT_EQ(splits.split_corner, expected.split_corner);
+    EXPECT_EQ(splits.begin, expected.begin);
+    ASSERT_EQ(splits.views.size(), expected.views.size());
+    for(std::size_t i = 0; i < splits.views.size(); ++i)
+    {
+      const Obtuse_splits::View &view = splits.views[i], &other = expected.views[i];
+      EXPECT_EQ(view.target, other.target);
+      EXPECT_EQ(view.along, other.along);
+      EXPECT_EQ(view.split(), other.split());
+      EXPECT_EQ(view.half(), other.half());
+      EXPECT_EQ(view.is_from_splitting_vertex(), other.is_from_splitting_vertex());
+    }
+  }
+}
+
 TEST(Obtuse_splits, are_shared_while_referenced)
 {
   const Array_surface surface(square(4, 0.2));

@@ -312,13 +312,13 @@ TEST(Build_oriented_arrays, has_arrays_of_the_twins_of_a_soup)
         ++fans_of_vertex[vertex];
       for(const unsigned number_of_threads : {1u, 2u, 5u})
       {
-        Ring_counts counts;
+        Mesh_counts counts;
         const auto mesh =
             build_oriented_arrays(surface.points, surface.corners, counts, number_of_threads);
         ASSERT_TRUE(mesh.has_value());
         expect_equal(*mesh, expected);
-        EXPECT_EQ(counts.number_of_fans, fans.size());
-        EXPECT_EQ(counts.number_of_nonmanifold_vertices,
+        EXPECT_EQ(counts.rings.number_of_fans, fans.size());
+        EXPECT_EQ(counts.rings.number_of_nonmanifold_vertices,
                   std::size_t(std::count_if(fans_of_vertex.begin(), fans_of_vertex.end(),
                                             [](const auto& v) { return v.second > 1; })));
       }
@@ -327,6 +327,25 @@ TEST(Build_oriented_arrays, has_arrays_of_the_twins_of_a_soup)
         std::swap_ranges(surface.corners.begin() + 3 * (f - 1), surface.corners.begin() + 3 * f,
                          surface.corners.begin() + 3 * (random() % f));
     }
+}
+
+TEST(Build_oriented_arrays, does_not_depend_on_threads)
+{
+  const Triangulation surface = square(150, 0.2);
+  Mesh_counts counts;
+  const auto expected = build_oriented_arrays(surface.points, surface.corners, counts);
+  ASSERT_TRUE(expected.has_value());
+  EXPECT_EQ(counts.number_of_components, 1u);
+  for(const unsigned number_of_threads : {2u, 5u})
+  {
+    Mesh_counts counts_here;
+    const auto mesh =
+        build_oriented_arrays(surface.points, surface.corners, counts_here, number_of_threads);
+    ASSERT_TRUE(mesh.has_value());
+    expect_equal(*mesh, *expected);
+    EXPECT_EQ(counts_here.number_of_components, counts.number_of_components);
+    EXPECT_EQ(counts_here.rings.number_of_fans, counts.rings.number_of_fans);
+  }
 }
 
 TEST(Build_oriented_arrays, returns_nothing_if_an_edge_is_not_oriented_or_not_manifold)
@@ -339,7 +358,7 @@ TEST(Build_oriented_arrays, returns_nothing_if_an_edge_is_not_oriented_or_not_ma
       {
         auto points = surface.points;
         points.push_back({0., 0., -1.});
-        Ring_counts counts;
+        Mesh_counts counts;
         return !build_oriented_arrays(points, corners, counts) &&
                !build_oriented_arrays(points, corners, counts, 2);
       };

@@ -111,4 +111,25 @@ TEST(Morton_order, is_permutation_that_keeps_locality)
             (std::vector<Index>{1, 0, 2}));
 }
 
+TEST(Morton_order, does_not_depend_on_threads)
+{
+  const auto points = random_points(40000, {3., 0., -1.}, 5.);
+  const std::vector<Index> used = {0, 7, 39999};
+  const Frame frame = unit_frame(points), frame_of_used = unit_frame(points, used);
+  const std::vector<Index> order = morton_order(points, frame);
+  auto scaled = points;
+  to_frame(scaled, frame);
+  for(const unsigned number_of_threads : {2u, 5u})
+  {
+    EXPECT_EQ(unit_frame(points, {}, number_of_threads).origin, frame.origin);
+    EXPECT_EQ(unit_frame(points, {}, number_of_threads).scale, frame.scale);
+    EXPECT_EQ(unit_frame(points, used, number_of_threads).origin, frame_of_used.origin);
+    EXPECT_EQ(unit_frame(points, used, number_of_threads).scale, frame_of_used.scale);
+    EXPECT_EQ(morton_order(points, frame, number_of_threads), order);
+    auto scaled_here = points;
+    to_frame(scaled_here, frame, number_of_threads);
+    EXPECT_EQ(scaled_here, scaled);
+  }
+}
+
 } // namespace morton_order_test

@@ -9,6 +9,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -39,13 +40,13 @@ private:
   Map m_map;
 };
 
-// The descriptors of a Surface_mesh are positions. So the map needs their number only, and the mesh
-// of a soup need not exist.
+// The descriptors of a Surface_mesh are positions in an array of indices. So the mesh of a soup need
+// not exist.
 template <typename Point, typename DynamicProperty>
 class Index_map<Surface_mesh<Point>, DynamicProperty>
 {
 public:
-  explicit Index_map(std::size_t number_of_descriptors) : m_index(number_of_descriptors) {}
+  explicit Index_map(std::vector<Index> index) : m_index(std::move(index)) {}
   explicit Index_map(const Surface_mesh<Point>& mesh) : m_index(size(mesh, DynamicProperty())) {}
 
   template <typename Descriptor>

@@ -91,6 +91,8 @@ struct Surface_arrays
   double scale = 1.;
   std::array<double, 3> origin = {0., 0., 0.}; // coordinates of the caller = origin + scale * point
 
+  // Of the construction of shared structures, whose content does not depend on it.
+  unsigned number_of_threads = 1;
   mutable Shared_structures shared;
 
   std::size_t number_of_vertices() const { return ring_begin.empty() ? 0 : ring_begin.size() - 1; }

@@ -64,6 +64,58 @@ void for_each_block(std::size_t size, std::size_t block_size, unsigned number_of
       std::rethrow_exception(error);
 }
 
+// Calls body(i) for all i < size, for blocks of consecutive i at a time. The calls for different i
+// must be independent.
+template <typename Body>
+void for_each_index(std::size_t size, unsigned number_of_threads, const Body& body)
+{
+  for_each_block(size, std::size_t(1) << 14, number_of_threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(std::size_t i = begin; i < end; ++i)
+                     body(i);
+                 });
+}
+
+// Returns whether predicate(i) is true for all i < size.
+template <typename Predicate>
+bool is_true_for_all(std::size_t size, unsigned number_of_threads, const Predicate& predicate)
+{
+  std::atomic<bool> result{true};
+  for_each_block(size, std::size_t(1) << 14, number_of_threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(std::size_t i = begin; i < end; ++i)
+                     if(!predicate(i))
+                     {
+                       result = false;
+                       return;
+                     }
+                 });
+  return result;
+}
+
+// Calls two functions at the same time if there are several threads.
+template <typename First, typename Second>
+void run_both(unsigned number_of_threads, const First& first, const Second& second)
+{
+  for_each_block(2, 1, number_of_threads,
+                 [&](std::size_t block, std::size_t, std::size_t)
+                 {
+                   if(block == 0)
+                     first();
+                   else
+                     second();
+                 });
+}
+
+// Returns the size of blocks such that each thread has one.
+inline std::size_t block_size_of_threads(std::size_t size, unsigned number_of_threads)
+{
+  const std::size_t count = std::max(1u, number_of_threads);
+  return std::max<std::size_t>(1, (size + count - 1) / count);
+}
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_PARALLEL_H

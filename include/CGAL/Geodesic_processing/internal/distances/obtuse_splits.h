@@ -75,7 +75,7 @@ struct Obtuse_splits
 };
 
 // Splits the obtuse corners of a mesh in O(#triangles) time; at most 20 triangles are unfolded for
-// each corner. A cloud has no splits.
+// each corner. A cloud has no splits. Uses the number of threads of the arrays.
 CGAL_GEODESIC_PROCESSING_EXPORT Obtuse_splits split_obtuse_corners(const Surface_arrays& triangles);
 
 // Returns split_obtuse_corners(), computed once as long as any user holds the result. The triangles

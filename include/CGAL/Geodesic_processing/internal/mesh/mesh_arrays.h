@@ -35,6 +35,12 @@ struct Ring_counts
   std::size_t number_of_nonmanifold_vertices = 0; // with several fans
 };
 
+struct Mesh_counts
+{
+  Ring_counts rings;
+  std::size_t number_of_components = 0; // of the triangles, joined by edges
+};
+
 // Builds the arrays of a mesh with given twins, for example from a halfedge data structure.
 // Vertices are in Morton order, triangles in the order of their smallest vertex. Lengths are
 // computed from scaled coordinates. An edge shorter than `min_edge_length` gets that length, so
@@ -56,13 +62,11 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
 // first, because vertices and triangles are sorted before. The result does not depend on the number
 // of threads.
 //
-// counts: receives the numbers of fans and of boundary halfedges
-//
 // Throws the exceptions of build_mesh_arrays().
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<Mesh_arrays> build_oriented_arrays(const std::vector<std::array<double, 3>>& points,
                                                  const std::vector<Index>& corners,
-                                                 Ring_counts& counts,
+                                                 Mesh_counts& counts,
                                                  unsigned number_of_threads = 1);
 
 // Computes the twins of a triangle soup. Two halfedges are twins if they join the same two

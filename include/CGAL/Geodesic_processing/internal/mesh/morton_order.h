@@ -27,7 +27,7 @@ struct Frame
 // used  indices of the points in the bounding box; if empty, all points are
 CGAL_GEODESIC_PROCESSING_EXPORT
 Frame unit_frame(const std::vector<std::array<double, 3>>& points,
-                 const std::vector<Index>& used = {});
+                 const std::vector<Index>& used = {}, unsigned number_of_threads = 1);
 
 // Divides lengths of the caller by the scale of a frame, which is exact unless they underflow.
 class Scaling
@@ -51,7 +51,8 @@ private:
 // Transforms points from the coordinates of the caller to scaled coordinates, whose absolute values
 // are at most 1e150.
 CGAL_GEODESIC_PROCESSING_EXPORT
-void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame);
+void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame,
+              unsigned number_of_threads = 1);
 
 // Returns the indices of the points in Morton order; points in the same cell are in the order of
 // their indices. Cells divide the cube [-2, 2]^3 of the scaled coordinates; points outside of it are
