@@ -81,6 +81,7 @@ void expect_equal_results(const std::string& name, const std::string& text)
     EXPECT_TRUE(result.surface.corners == expected.surface.corners);
     EXPECT_TRUE(result.surface.polygon_begin == expected.surface.polygon_begin);
     EXPECT_TRUE(result.surface.uv == expected.surface.uv);
+    EXPECT_TRUE(result.surface.edges == expected.surface.edges);
     EXPECT_TRUE(result.surface.properties == expected.surface.properties);
   }
   std::filesystem::remove(filename);
@@ -116,10 +117,76 @@ TEST(Read_with_threads, xyz_does_not_depend_on_their_number)
   expect_equal_results("threads.xyz", "7\n" + text_with("", "1 2 3\n"));
 }
 
+// Returns a number of copies of a line, with another line in the middle of them.
+std::string lines_with(const std::string& line, std::size_t number, const std::string& others)
+{
+  std::string result;
+  for(std::size_t i = 0; i < number; ++i)
+    result += (i == number / 2 ? line : "") + others;
+  return result;
+}
+
 TEST(Read_with_threads, off_does_not_depend_on_their_number)
 {
-  expect_equal_results("threads.off", "OFF 160000 0 0\n" + text_with("", "1 2.25 3.125\n"));
-  expect_equal_results("threads.off", "OFF 150000 0 0\n" + text_with("1 2 x\n", "1 2.25 3.125\n"));
+  const std::string header = "OFF # comment\n# comment\n\n150000 150000 0\n",
+                    vertices = lines_with("", 150000, "1.5 2.25 3.125\n"),
+                    faces = lines_with("", 150000, "3 0 149999 77 255 0 0\n");
+  expect_equal_results("threads.off", header + vertices + faces);
+  expect_equal_results("threads.off", header + vertices + faces + "2 0 1\n# the end");
+  expect_equal_results("threads.off", header + vertices); // faces are missing
+  // A comment or an empty line, a face with a missing index or an invalid one, two faces.
+  for(const char* line :
+      {"# comment\n", "\r\n", "3 0 1\n", "3 0 1 150000\n", "3 0 1 2\r3 0 1 2\r\n", "4 0 1 2 3\n"})
+    expect_equal_results("threads.off",
+                         header + vertices + lines_with(line, 149999, "3 0 149999 77\n"));
+  for(const char* line : {"# comment\n", "1 2 x\n", "1 2 3\r\n"})
+    expect_equal_results("threads.off",
+                         header + lines_with(line, 149999, "1.5 2.25 3.125\n") + faces);
+  // The header is longer than a chunk.
+  expect_equal_results("threads.off", "OFF\n" + text_with("", "# comment\n") + "1 0 0\n1 2 3\n");
+}
+
+std::string ply_header(const std::string& format)
+{
+  return "ply\nformat " + format +
+         " 1.0\nelement vertex 100000\nproperty float x\nproperty float y\nproperty float z\n"
+         "property uchar red\nelement face 100000\nproperty list uchar int vertex_indices\n"
+         "element edge 100000\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+}
+
+TEST(Read_with_threads, ascii_ply_does_not_depend_on_their_number)
+{
+  const std::string vertices = lines_with("", 100000, "1.5 2.25 3.125 9\n"),
+                    faces = lines_with("", 100000, "3 0 99999 77\n"),
+                    edges = lines_with("", 100000, "7 -1\n"), header = ply_header("ascii");
+  expect_equal_results("threads.ply", header + vertices + faces + edges);
+  expect_equal_results("threads.ply", header + vertices + faces + edges + "1 2 3\n");
+  expect_equal_results("threads.ply", header + vertices + faces);
+  // An empty line, an item on two lines, two items on a line, an invalid number, a long list.
+  for(const char* line : {"\n", "3 0\n1 2\n", "3 0 1 2 3 0 1 2\n", "3 0 1 2\r3 0 1 2\r\n",
+                          "3 0 1 x\n", "9999999 1\n", "4 0 1 2 3\n"})
+    expect_equal_results("threads.ply",
+                         header + vertices + lines_with(line, 99999, "3 0 99999 77\n") + edges);
+  for(const char* line : {"1 2 3 x\n", "1 2 3\n4\n", "1e9 inf 7 0\r\n"})
+    expect_equal_results("threads.ply",
+                         header + lines_with(line, 99999, "1.5 2.25 3.125 9\n") + faces + edges);
+}
+
+TEST(Read_with_threads, binary_ply_does_not_depend_on_their_number)
+{
+  const std::string vertex("abcdefghijklm", 13), triangle("\3\1\0\0\0\2\0\0\0\3\0\0\0", 13),
+      edge("\1\0\0\0\2\0\0\0", 8);
+  for(const char* format : {"binary_little_endian", "binary_big_endian"})
+  {
+    const std::string header = ply_header(format), vertices = lines_with("", 100000, vertex),
+                      edges = lines_with("", 100000, edge);
+    expect_equal_results("threads.ply",
+                         header + vertices + lines_with("", 100000, triangle) + edges);
+    expect_equal_results("threads.ply",
+                         header + vertices +
+                             lines_with(std::string("\1\0\0\0\0", 5), 99999, triangle) + edges);
+    expect_equal_results("threads.ply", header + vertices + lines_with("", 100000, triangle));
+  }
 }
 
 } // namespace parse_chunks_test

@@ -78,6 +78,9 @@ public:
     return take_plain_integer(value) ? value : parse_integer(word());
   }
 
+  // Returns the number of the line, from 1.
+  std::size_t line_number() const { return m_number; }
+
   // Throws Input_error: "NAME, line N: REASON."
   [[noreturn]] void fail(const std::string& reason) const;
 

@@ -50,6 +50,10 @@ Surface_file read_surface_file(const std::string& filename,
     fail(filename, "it is empty");
   if(is_compressed)
     return reader->second(inflate(bytes, filename), filename);
+  if(extension == "ply")
+    return read_ply_in_parallel(bytes, filename, number_of_threads);
+  if(extension == "off")
+    return read_off_in_parallel(bytes, filename, number_of_threads);
   if(extension == "obj")
     return read_obj_in_parallel(bytes, filename, number_of_threads);
   if(extension == "xyz")

@@ -54,7 +54,12 @@ Surface_file read_gltf(std::string_view bytes, const std::string& name); // also
 Surface_file read_gifti(std::string_view bytes, const std::string& name);
 Surface_file read_freesurfer(std::string_view bytes, const std::string& name);
 
-// Return the same as read_obj() and read_xyz(). Large files are read by several threads.
+// Return the same as the functions without number_of_threads. Large files are read by several
+// threads.
+Surface_file read_ply_in_parallel(std::string_view bytes, const std::string& name,
+                                  unsigned number_of_threads);
+Surface_file read_off_in_parallel(std::string_view bytes, const std::string& name,
+                                  unsigned number_of_threads);
 Surface_file read_obj_in_parallel(std::string_view bytes, const std::string& name,
                                   unsigned number_of_threads);
 Surface_file read_xyz_in_parallel(std::string_view bytes, const std::string& name,

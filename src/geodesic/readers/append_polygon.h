@@ -29,6 +29,33 @@ inline void end_polygon(Surface_file& surface)
   surface.polygon_begin.push_back(surface.corners.size());
 }
 
+// Appends all polygons of another surface.
+inline void append_polygons(Surface_file& surface, const Surface_file& more)
+{
+  const std::size_t begin = surface.corners.size();
+  surface.corners.insert(surface.corners.end(), more.corners.begin(), more.corners.end());
+  for(std::size_t f = 1; f < more.polygon_begin.size(); ++f)
+    surface.polygon_begin.push_back(begin + more.polygon_begin[f]);
+}
+
+// Appends the polygons and edges that were read from each chunk of a file.
+inline void append_chunks(Surface_file& surface, const std::vector<Surface_file>& chunks)
+{
+  std::size_t number_of_corners = 0, number_of_polygons = 0;
+  for(const Surface_file& chunk : chunks)
+  {
+    number_of_corners += chunk.corners.size();
+    number_of_polygons += chunk.number_of_polygons();
+  }
+  surface.corners.reserve(number_of_corners);
+  surface.polygon_begin.reserve(number_of_polygons + 1);
+  for(const Surface_file& chunk : chunks)
+  {
+    append_polygons(surface, chunk);
+    surface.edges.insert(surface.edges.end(), chunk.edges.begin(), chunk.edges.end());
+  }
+}
+
 // Appends the triangles of a strip. Every second triangle is reversed for a consistent
 // orientation. A negative index ends a strip and starts the next one.
 template <typename Indices>

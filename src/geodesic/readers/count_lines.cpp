@@ -29,10 +29,14 @@ std::size_t count_positions(std::string_view text, Condition condition)
 
 } // namespace
 
+std::size_t number_of_lines(std::string_view text)
+{
+  return count_positions(text, [](const char* c) { return *c == '\n'; }) + 1;
+}
+
 std::size_t max_number_of_lines(std::string_view text, std::size_t min_size)
 {
-  const std::size_t line_ends = count_positions(text, [](const char* c) { return *c == '\n'; });
-  return std::min(line_ends, text.size() / min_size) + 1;
+  return std::min(number_of_lines(text), text.size() / min_size + 1);
 }
 
 std::size_t max_number_of_lines(std::string_view text, std::size_t min_size, char first)

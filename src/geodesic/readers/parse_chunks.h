@@ -3,8 +3,11 @@
 #ifndef GEODESIC_PROGRAM_READERS_PARSE_CHUNKS_H
 #define GEODESIC_PROGRAM_READERS_PARSE_CHUNKS_H
 
+#include "readers/count_lines.h"
+
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -64,6 +67,20 @@ bool parse_chunks(std::size_t count, Parse parse)
   for(std::thread& thread : threads)
     thread.join();
   return std::all_of(is_parsed.begin(), is_parsed.end(), [](char c) { return c != 0; });
+}
+
+// Returns the number of lines before each chunk, and of all lines.
+inline std::vector<std::size_t> first_lines(const std::vector<std::string_view>& chunks)
+{
+  std::vector<std::size_t> result(chunks.size() + 1, 0);
+  parse_chunks(chunks.size(),
+               [&](std::size_t i)
+               {
+                 result[i + 1] = number_of_lines(chunks[i]);
+                 return true;
+               });
+  std::partial_sum(result.begin(), result.end(), result.begin());
+  return result;
 }
 
 } // namespace program

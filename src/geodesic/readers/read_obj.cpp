@@ -105,11 +105,8 @@ public:
 
   void append(const Obj_reader& next)
   {
-    const std::size_t begin = m_surface.corners.size();
     append_to(m_surface.points, next.m_surface.points);
-    append_to(m_surface.corners, next.m_surface.corners);
-    for(std::size_t f = 1; f < next.m_surface.polygon_begin.size(); ++f)
-      m_surface.polygon_begin.push_back(begin + next.m_surface.polygon_begin[f]);
+    append_polygons(m_surface, next.m_surface);
     append_to(m_texture_coordinates, next.m_texture_coordinates);
     append_to(m_corner_texture_index, next.m_corner_texture_index);
     append_to(m_colors, next.m_colors);

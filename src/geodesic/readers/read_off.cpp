@@ -3,6 +3,9 @@
 #include "readers/Scanner.h"
 #include "readers/Surface_file.h"
 #include "readers/append_polygon.h"
+#include "readers/parse_chunks.h"
+
+#include <algorithm>
 
 namespace program {
 
@@ -38,14 +41,21 @@ Variant parse_variant(std::string_view keyword, const Scanner& scanner)
   return variant;
 }
 
-struct Counts
+struct Off_header
 {
-  long long vertices, faces;
+  Variant variant;
+  std::size_t vertices, faces; // their numbers
 };
 
-// Reads the counts and checks that the file is long enough. `word` is the number of vertices.
-Counts read_counts(std::string_view word, Scanner& scanner, std::size_t file_size)
+// Reads the lines up to the counts, and checks that the file is long enough.
+Off_header read_off_header(Scanner& scanner, const std::string& name, std::size_t file_size)
 {
+  if(!scanner.next_line())
+    fail(name, "it is empty");
+  const Variant variant = parse_variant(scanner.word(), scanner);
+  const std::string_view word = scanner.next_word();
+  if(word == "BINARY")
+    fail(name, "binary OFF files are not supported");
   // The number of edges is ignored, because it is often missing or wrong.
   const long long vertices = scanner.parse_integer(word);
   const long long faces = scanner.parse_integer(scanner.next_word());
@@ -56,7 +66,7 @@ Counts read_counts(std::string_view word, Scanner& scanner, std::size_t file_siz
      static_cast<double>(file_size) + 1.)
     scanner.fail("it declares " + std::to_string(vertices) + " vertices and " +
                  std::to_string(faces) + " faces, but the file is too short for them");
-  return {vertices, faces};
+  return {variant, static_cast<std::size_t>(vertices), static_cast<std::size_t>(faces)};
 }
 
 void read_vertex(Scanner& scanner, const Variant& variant, std::size_t i, Surface_file& surface)
@@ -76,7 +86,7 @@ void read_vertex(Scanner& scanner, const Variant& variant, std::size_t i, Surfac
       x = scanner.number();
 }
 
-void read_face(Scanner& scanner, long long number_of_vertices, Surface_file& surface)
+void read_face(Scanner& scanner, std::size_t number_of_vertices, Surface_file& surface)
 {
   const long long degree = scanner.integer();
   if(degree < 0)
@@ -84,7 +94,7 @@ void read_face(Scanner& scanner, long long number_of_vertices, Surface_file& sur
   for(long long k = 0; k < degree; ++k)
   {
     const long long index = scanner.integer();
-    if(index < 0 || index >= number_of_vertices)
+    if(index < 0 || index >= static_cast<long long>(number_of_vertices))
       scanner.fail("a face refers to vertex " + std::to_string(index) +
                    ", but the number of vertices is " + std::to_string(number_of_vertices));
     append_corner(surface, index);
@@ -92,41 +102,86 @@ void read_face(Scanner& scanner, long long number_of_vertices, Surface_file& sur
   end_polygon(surface);
 }
 
-} // namespace
-
-Surface_file read_off(std::string_view bytes, const std::string& name)
+// Allocates the arrays of the vertices, and reserves memory for triangles.
+Surface_file allocate_surface(const Off_header& header)
 {
-  Scanner scanner(bytes, name, '#', Scanner::Separators::blanks_and_commas);
-  if(!scanner.next_line())
-    fail(name, "it is empty");
-  const Variant variant = parse_variant(scanner.word(), scanner);
-  const std::string_view word = scanner.next_word();
-  if(word == "BINARY")
-    fail(name, "binary OFF files are not supported");
-  const Counts counts = read_counts(word, scanner, bytes.size());
+  Surface_file surface;
+  surface.points.resize(header.vertices);
+  if(header.variant.normals)
+    surface.normals.resize(header.vertices);
+  surface.corners.reserve(3 * header.faces);
+  surface.polygon_begin.reserve(header.faces + 1);
+  return surface;
+}
 
-  const auto next_line = [&](long long i, long long count, const char* kind)
+// Reads the items begin, ..., end - 1, each on its own line: first all vertices of the file, then
+// all faces. Writes the vertices to one surface and appends the faces to another.
+void read_items(Scanner& scanner, const Off_header& header, const std::string& name,
+                std::size_t begin, std::size_t end, Surface_file& vertices, Surface_file& faces)
+{
+  const auto next_line = [&](std::size_t i, std::size_t count, const char* kind)
   {
     if(!scanner.next_line())
       fail(name,
            "it ends after " + std::to_string(i) + " of " + std::to_string(count) + ' ' + kind);
   };
-  Surface_file surface;
-  surface.points.resize(static_cast<std::size_t>(counts.vertices));
-  if(variant.normals)
-    surface.normals.resize(surface.points.size());
-  for(long long i = 0; i < counts.vertices; ++i)
+  std::size_t i = begin;
+  for(; i < std::min(end, header.vertices); ++i)
   {
-    next_line(i, counts.vertices, "vertices");
-    read_vertex(scanner, variant, static_cast<std::size_t>(i), surface);
+    next_line(i, header.vertices, "vertices");
+    read_vertex(scanner, header.variant, i, vertices);
   }
-  surface.corners.reserve(3 * static_cast<std::size_t>(counts.faces));
-  surface.polygon_begin.reserve(static_cast<std::size_t>(counts.faces) + 1);
-  for(long long i = 0; i < counts.faces; ++i)
+  for(; i < end; ++i)
   {
-    next_line(i, counts.faces, "faces");
-    read_face(scanner, counts.vertices, surface);
+    next_line(i - header.vertices, header.faces, "faces");
+    read_face(scanner, header.vertices, faces);
   }
+}
+
+} // namespace
+
+Surface_file read_off(std::string_view bytes, const std::string& name)
+{
+  Scanner scanner(bytes, name, '#', Scanner::Separators::blanks_and_commas);
+  const Off_header header = read_off_header(scanner, name, bytes.size());
+  Surface_file surface = allocate_surface(header);
+  read_items(scanner, header, name, 0, header.vertices + header.faces, surface, surface);
+  return surface;
+}
+
+Surface_file read_off_in_parallel(std::string_view bytes, const std::string& name,
+                                  unsigned number_of_threads)
+{
+  const std::vector<std::string_view> chunks =
+      split_lines(bytes, number_of_chunks(bytes.size(), number_of_threads));
+  if(chunks.size() < 2)
+    return read_off(bytes, name);
+  Scanner scanner(bytes, name, '#', Scanner::Separators::blanks_and_commas);
+  const Off_header header = read_off_header(scanner, name, bytes.size());
+  Surface_file surface = allocate_surface(header);
+  const std::size_t number_of_items = header.vertices + header.faces;
+  const std::vector<std::size_t> lines = first_lines(chunks);
+  std::vector<Surface_file> faces(chunks.size());
+  // An item is read at the right position only if no line before it is empty or a comment. This is
+  // true if the items of each chunk are its lines.
+  const auto read_chunk = [&](std::size_t chunk)
+  {
+    Scanner chunk_scanner(chunks[chunk], name, '#', Scanner::Separators::blanks_and_commas);
+    if(chunk == 0)
+      read_off_header(chunk_scanner, name, bytes.size());
+    const auto item = [&](std::size_t line)
+    {
+      return std::min(number_of_items,
+                      std::max(line, scanner.line_number()) - scanner.line_number());
+    };
+    const std::size_t begin = chunk == 0 ? 0 : item(lines[chunk]), end = item(lines[chunk + 1]);
+    read_items(chunk_scanner, header, name, begin, end, surface, faces[chunk]);
+    return end == number_of_items || !chunk_scanner.next_line();
+  };
+  if(lines.back() < scanner.line_number() + number_of_items ||
+     !parse_chunks(chunks.size(), read_chunk))
+    return read_off(bytes, name);
+  append_chunks(surface, faces);
   return surface;
 }
 

@@ -4,6 +4,7 @@
 #include "readers/Surface_file.h"
 #include "readers/append_polygon.h"
 #include "readers/binary_numbers.h"
+#include "readers/parse_chunks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -157,12 +158,14 @@ private:
   std::size_t m_line_number = 1;
 };
 
-// Reads the values of the body one by one, independent of the encoding.
+// Reads the values of the body, or of a chunk of it, one by one, independent of the encoding.
 class Body
 {
 public:
-  Body(std::string_view bytes, Encoding encoding, const std::string& name)
-      : m_bytes(bytes), m_encoding(encoding), m_name(name), m_text(bytes, name, 0)
+  // is_chunk: whether it is a chunk of text in which each item must be one line
+  Body(std::string_view bytes, Encoding encoding, const std::string& name, bool is_chunk = false)
+      : m_bytes(bytes), m_encoding(encoding), m_name(name), m_text(bytes, name, 0),
+        m_is_chunk(is_chunk)
   {}
 
   // Throws if the body is too short for the number of items in the header. This bounds the memory
@@ -248,6 +251,16 @@ public:
     return count;
   }
 
+  // Ends an item. In a chunk, throws if the items so far were not one line each.
+  void end_item()
+  {
+    if(m_is_chunk && (m_text.line_number() != ++m_number_of_items || !m_text.is_line_empty()))
+      fail(m_name, "an item is not one line");
+  }
+
+  // Advances to the next line of a text. Returns false at its end.
+  bool next_line() { return m_text.next_line(); }
+
   std::size_t size() const { return m_bytes.size(); }
 
   Encoding encoding() const { return m_encoding; }
@@ -271,6 +284,8 @@ private:
   Encoding m_encoding;
   std::string m_name;
   Scanner m_text;
+  bool m_is_chunk;
+  std::size_t m_number_of_items = 0;
 };
 
 // The destination of each property of a vertex: a coordinate, a component of the normal, or a
@@ -384,16 +399,25 @@ void read_rows(Body& body, const Element& element, const Vertex_properties& dest
   }
 }
 
-void read_vertices(Body& body, const Element& element, const std::string& name,
-                   Surface_file& surface)
+// Returns whether the items have no lists, so that they have the same size in binary encoding.
+bool has_rows(const Element& element)
 {
-  const Vertex_properties destination = prepare_vertices(element, name, surface);
-  const bool has_list = std::any_of(element.properties.begin(), element.properties.end(),
-                                    [](const Property& p) { return p.count.has_value(); });
-  if(body.encoding() != Encoding::ascii && !has_list)
-    return read_rows(body, element, destination, surface);
+  return std::none_of(element.properties.begin(), element.properties.end(),
+                      [](const Property& property) { return property.count.has_value(); });
+}
+
+// The items begin, ..., end - 1 of an element.
+struct Item_range
+{
+  std::size_t begin, end;
+};
+
+void read_vertices(Body& body, const Element& element, const Vertex_properties& destination,
+                   const Item_range& range, Surface_file& surface)
+{
   std::vector<double> ignored;
-  for(std::size_t i = 0; i < element.count; ++i)
+  for(std::size_t i = range.begin; i < range.end; ++i)
+  {
     for(std::size_t p = 0; p < element.properties.size(); ++p)
     {
       if(element.properties[p].count)
@@ -410,13 +434,15 @@ void read_vertices(Body& body, const Element& element, const std::string& name,
       else if(destination.values[p] != nullptr)
         destination.values[p][i] = value;
     }
+    body.end_item();
+  }
 }
 
-// Reads the edges. An edge with a missing endpoint is skipped.
-void read_edges(Body& body, const Element& element, Surface_file& surface)
+// Appends the edges. An edge with a missing endpoint is skipped.
+void read_edges(Body& body, const Element& element, const Item_range& range, Surface_file& surface)
 {
   std::vector<double> ignored;
-  for(std::size_t i = 0; i < element.count; ++i)
+  for(std::size_t i = range.begin; i < range.end; ++i)
   {
     std::optional<std::uint32_t> ends[2];
     for(const Property& property : element.properties)
@@ -430,6 +456,7 @@ void read_edges(Body& body, const Element& element, Surface_file& surface)
       }
     if(ends[0] && ends[1])
       surface.edges.push_back({*ends[0], *ends[1]});
+    body.end_item();
   }
 }
 
@@ -438,27 +465,23 @@ bool is_corner_list(const Property& property)
   return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-void read_others(Body& body, const Element& element, Surface_file& surface)
+// Appends the polygons of faces and triangle strips. Skips items of unknown elements.
+void read_others(Body& body, const Element& element, const Item_range& range, Surface_file& surface)
 {
   const bool is_face = element.name == "face", is_strip = element.name == "tristrips";
   const Property& first = element.properties[0];
   const bool has_triangles = is_face && element.properties.size() == 1 && is_corner_list(first) &&
                              body.encoding() == Encoding::little_endian && first.count->size == 1 &&
                              first.type.size == 4 && first.type.kind != 'f';
-  if(is_face)
-  {
-    surface.corners.reserve(std::min(3 * element.count, body.size()));
-    surface.polygon_begin.reserve(element.count + 1);
-  }
   std::vector<bool> has_corners; // #properties
   for(const Property& property : element.properties)
     has_corners.push_back(is_corner_list(property));
   std::vector<double> values;
-  for(std::size_t i = 0; i < element.count; ++i)
+  for(std::size_t i = range.begin; i < range.end; ++i)
   {
     if(has_triangles)
-      i += body.take_triangles(element.count - i, first.type.kind == 'i', surface);
-    if(i == element.count)
+      i += body.take_triangles(range.end - i, first.type.kind == 'i', surface);
+    if(i == range.end)
       break;
     for(std::size_t p = 0; p < has_corners.size(); ++p)
     {
@@ -477,6 +500,66 @@ void read_others(Body& body, const Element& element, Surface_file& surface)
       if(is_strip && has_corners[p])
         append_strip(surface, values);
     }
+    body.end_item();
+  }
+}
+
+// Reads some items. Writes the values of vertices, and appends edges and polygons to another
+// surface.
+void read_items(Body& body, const Element& element, const Vertex_properties& destination,
+                const Item_range& range, Surface_file& vertices, Surface_file& others)
+{
+  if(element.name == "vertex")
+    read_vertices(body, element, destination, range, vertices);
+  else if(element.name == "edge")
+    read_edges(body, element, range, others);
+  else
+    read_others(body, element, range, others);
+}
+
+// Reads an element that has properties.
+void read_element(Body& body, const Element& element, const std::string& name,
+                  Surface_file& surface)
+{
+  body.expect(element);
+  Vertex_properties destination;
+  if(element.name == "vertex")
+  {
+    destination = prepare_vertices(element, name, surface);
+    if(body.encoding() != Encoding::ascii && has_rows(element))
+      return read_rows(body, element, destination, surface);
+  }
+  if(element.name == "face")
+  {
+    surface.corners.reserve(std::min(3 * element.count, body.size()));
+    surface.polygon_begin.reserve(element.count + 1);
+  }
+  read_items(body, element, destination, {0, element.count}, surface, surface);
+}
+
+// Returns the elements whose items occupy bytes. The number of the others cannot be validated.
+std::vector<Element> elements_with_properties(const Header& header)
+{
+  std::vector<Element> result;
+  for(const Element& element : header.elements)
+    if(!element.properties.empty())
+      result.push_back(element);
+  return result;
+}
+
+// Reads all elements. Vertices must not be declared twice.
+void read_elements(Body& body, const std::vector<Element>& elements, const std::string& name,
+                   Surface_file& surface)
+{
+  bool has_vertices = false;
+  for(const Element& element : elements)
+  {
+    if(element.name == "vertex" && std::exchange(has_vertices, true))
+    {
+      body.expect(element);
+      fail(name, "the element 'vertex' is declared twice");
+    }
+    read_element(body, element, name, surface);
   }
 }
 
@@ -487,23 +570,117 @@ Surface_file read_ply(std::string_view bytes, const std::string& name)
   const Header header = Header_reader(bytes, name).read();
   Body body(bytes.substr(header.size), header.encoding, name);
   Surface_file surface;
-  bool has_vertices = false;
-  for(const Element& element : header.elements)
-  {
-    // Items without properties occupy no bytes, so their number cannot be validated.
-    if(element.properties.empty())
-      continue;
-    body.expect(element);
-    if(element.name == "vertex" && std::exchange(has_vertices, true))
-      fail(name, "the element 'vertex' is declared twice");
-    if(element.name == "vertex")
-      read_vertices(body, element, name, surface);
-    else if(element.name == "edge")
-      read_edges(body, element, surface);
-    else
-      read_others(body, element, surface);
-  }
+  read_elements(body, elements_with_properties(header), name, surface);
   return surface;
+}
+
+namespace {
+
+// Reads the chunks of a text if each item is one line. Returns false if it is not.
+bool read_text_in_parallel(std::string_view text, const std::vector<Element>& elements,
+                           const std::string& name, unsigned number_of_threads,
+                           Surface_file& surface)
+{
+  const std::vector<std::string_view> chunks =
+      split_lines(text, number_of_chunks(text.size(), number_of_threads));
+  if(chunks.size() < 2)
+    return false;
+  Body body(text, Encoding::ascii, name);
+  Vertex_properties destination;
+  std::size_t number_of_items = 0;
+  bool has_vertices = false;
+  for(const Element& element : elements)
+  {
+    body.expect(element);
+    number_of_items += element.count;
+    if(element.name != "vertex")
+      continue;
+    if(std::exchange(has_vertices, true))
+      return false;
+    destination = prepare_vertices(element, name, surface);
+  }
+  const std::vector<std::size_t> lines = first_lines(chunks);
+  if(lines.back() < number_of_items)
+    return false;
+  std::vector<Surface_file> others(chunks.size());
+  const auto read_chunk = [&](std::size_t chunk)
+  {
+    Body chunk_body(chunks[chunk], Encoding::ascii, name, true);
+    const std::size_t begin = std::min(lines[chunk], number_of_items),
+                      end = std::min(lines[chunk + 1], number_of_items);
+    std::size_t first = 0; // item of the element
+    for(const Element& element : elements)
+    {
+      const Item_range range = {std::max(begin, first) - first,
+                                std::clamp(end, first, first + element.count) - first};
+      read_items(chunk_body, element, destination, range, surface, others[chunk]);
+      first += element.count;
+    }
+    return end == number_of_items || !chunk_body.next_line();
+  };
+  if(!parse_chunks(chunks.size(), read_chunk))
+    return false;
+  append_chunks(surface, others);
+  return true;
+}
+
+// Reads the vertices and at the same time the other elements, if the vertices come first and their
+// size is known. Returns false if it is not.
+bool read_binary_in_parallel(std::string_view bytes, Encoding encoding,
+                             const std::vector<Element>& elements, const std::string& name,
+                             unsigned number_of_threads, Surface_file& surface)
+{
+  if(number_of_chunks(bytes.size(), number_of_threads) < 2 || elements[0].name != "vertex" ||
+     !has_rows(elements[0]))
+    return false;
+  std::size_t row_size = 0;
+  for(const Property& property : elements[0].properties)
+    row_size += property.type.size;
+  if(elements[0].count > bytes.size() / row_size)
+    return false;
+  const std::vector<Element> other_elements(elements.begin() + 1, elements.end());
+  if(std::any_of(other_elements.begin(), other_elements.end(),
+                 [](const Element& element) { return element.name == "vertex"; }))
+    return false;
+  Surface_file others;
+  const auto read_chunk = [&](std::size_t chunk)
+  {
+    Body body(chunk == 0 ? bytes : bytes.substr(elements[0].count * row_size), encoding, name);
+    if(chunk == 0)
+      read_element(body, elements[0], name, surface);
+    else
+      read_elements(body, other_elements, name, others);
+    return true;
+  };
+  if(!parse_chunks(2, read_chunk))
+    return false;
+  surface.corners = std::move(others.corners);
+  surface.polygon_begin = std::move(others.polygon_begin);
+  surface.edges = std::move(others.edges);
+  return true;
+}
+
+} // namespace
+
+Surface_file read_ply_in_parallel(std::string_view bytes, const std::string& name,
+                                  unsigned number_of_threads)
+{
+  const Header header = Header_reader(bytes, name).read();
+  const std::string_view body = bytes.substr(header.size);
+  const std::vector<Element> elements = elements_with_properties(header);
+  try
+  {
+    Surface_file surface;
+    if(!elements.empty() &&
+       (header.encoding == Encoding::ascii
+            ? read_text_in_parallel(body, elements, name, number_of_threads, surface)
+            : read_binary_in_parallel(body, header.encoding, elements, name, number_of_threads,
+                                      surface)))
+      return surface;
+  }
+  catch(const Input_error&) // read_ply() throws the first error.
+  {}
+  return read_ply(bytes, name);
 }
 
 } // namespace program
