@@ -40,8 +40,8 @@ private:
   Map m_map;
 };
 
-// The descriptors of a Surface_mesh are positions in an array of indices. So the mesh of a soup need
-// not exist.
+// The descriptors of a Surface_mesh are positions in an array of indices. So the mesh of a soup
+// need not exist.
 template <typename Point, typename DynamicProperty>
 class Index_map<Surface_mesh<Point>, DynamicProperty>
 {
