@@ -50,10 +50,10 @@ struct Geodesic_departure
 /// domain, and different copies can compute concurrently. Together with the result, and in addition
 /// to the domain, a solver on a mesh takes about 30 bytes per vertex with `Dijkstra`, 60 to 165 with
 /// `Fast_marching`, 45 to 325 with `Euclidean_front`, and 85 to 130 with `Exact`. On meshes of up
-/// to 4 million vertices, `Fast_marching` stores the one-rings of all vertices after many queries,
-/// in 230 bytes per vertex, because this speeds up later ones. On a cloud a solver takes 28 bytes
-/// per surfel, or 47 with `Euclidean_front`. There, queries after the construction only access the
-/// surfels that they reach and those adjacent to them, and allocate O(m) memory for m reached
+/// to 4 million vertices, some queries on the whole surface speed up later ones: `Fast_marching`
+/// then stores 310 to 340 bytes per vertex, and `Euclidean_front` 100. On a cloud a solver takes 28
+/// bytes per surfel, or 47 with `Euclidean_front`. There, queries after the construction only access
+/// the surfels that they reach and those adjacent to them, and allocate O(m) memory for m reached
 /// surfels.
 ///
 /// Before the first computation, no vertex or surfel is reached. Members that write a property map
