@@ -37,9 +37,9 @@ void prefetch_triangles(const Front_state& front, Index vertex)
   }
 }
 
-// Prefetches the stored fan of a vertex. Four cache lines hold the edges of a vertex of degree 6, and
-// two hold most splits. The addresses may be beyond the end of an array, which pointer arithmetic does
-// not admit.
+// Prefetches the stored fan of a vertex. Four cache lines hold the edges of a vertex of degree 6,
+// and two hold most splits. The addresses may be beyond the end of an array, which pointer
+// arithmetic does not admit.
 void prefetch_fan(const Vertex_fans& fans, Index vertex)
 {
   const auto prefetch_lines = [](const void* begin, std::size_t index, std::size_t size, int count)
@@ -297,9 +297,9 @@ void Front::store_geometry()
   const std::size_t visits_per_vertex = m_number_of_visits / t.number_of_vertices();
   try
   {
-    // Building the fans takes as long as two queries on the whole surface, and 340 bytes per vertex.
-    // It saves 15 % (a grid of a million vertices) to 35 % (scans of 35,000 vertices) of later
-    // queries.
+    // Building the fans takes as long as two queries on the whole surface, and 340 bytes per
+    // vertex. It saves 15 % (a grid of a million vertices) to 35 % (scans of 35,000 vertices) of
+    // later queries.
     if(front.is_planar() && !front.fans && visits_per_vertex >= 4)
     {
       front.fans = shared_vertex_fans(t);

@@ -254,7 +254,8 @@ bool source_direction(const Front_state& front, Index corner, bool is_mirrored, 
   const Vec2 direction = front.directions[t.corner[corner]];
   if(t.is_cloud() || vertex.corner == none || vertex.corner == corner)
     return false;
-  Vec2 angle = is_mirrored ? direction : rotated_back(corner_angle(front, vertex.corner), direction);
+  Vec2 angle =
+      is_mirrored ? direction : rotated_back(corner_angle(front, vertex.corner), direction);
   angle[1] = std::max(angle[1], 0.);
   for(Index rotated_corner = is_mirrored ? next_corner_cw(t, vertex.corner)
                                          : next_corner_ccw(t, vertex.corner);

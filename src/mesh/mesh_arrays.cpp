@@ -103,8 +103,8 @@ void sort_points(Mesh_arrays& result, const std::vector<std::array<double, 3>>& 
                  });
 }
 
-// Sorts the triangles by their smallest vertex, ties by index (counting sort). Fills the corners and
-// the maps between faces and triangles.
+// Sorts the triangles by their smallest vertex, ties by index (counting sort). Fills the corners
+// and the maps between faces and triangles.
 void sort_triangles(Mesh_arrays& result, const std::vector<Index>& corners,
                     unsigned number_of_threads)
 {

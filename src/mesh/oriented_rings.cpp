@@ -94,8 +94,8 @@ private:
       for(Index j = 0; j < degree; ++j)
         if(m_triangles[i].left == m_triangles[j].right && !link(i, j))
           return false;
-    // Two halfedges that leave the vertex and have no twin may lead to the same vertex. If they have
-    // one, it has been linked twice.
+    // Two halfedges that leave the vertex and have no twin may lead to the same vertex. If they
+    // have one, it has been linked twice.
     for(Index i = 0; i < degree; ++i)
       if(m_triangles[i].before == none)
         for(Index j = 0; j < i; ++j)
@@ -134,8 +134,8 @@ private:
   std::vector<Triangle> m_triangles;
 };
 
-// Fills `ring_begin`, and `ring` by the corners of each vertex in increasing order. Each thread reads
-// all corners and writes those of its own range of vertices.
+// Fills `ring_begin`, and `ring` by the corners of each vertex in increasing order. Each thread
+// reads all corners and writes those of its own range of vertices.
 void collect_corners(Surface_arrays& t, std::size_t number_of_vertices, unsigned number_of_threads)
 {
   t.ring_begin.assign(number_of_vertices + 1, 0);

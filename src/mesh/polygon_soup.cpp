@@ -182,8 +182,8 @@ bool has_only_triangles(const Polygon_soup& soup, unsigned number_of_threads)
          is_true_for_all(number_of_polygons, number_of_threads, is_triangle);
 }
 
-// Appends the triangles of all polygons. If all are triangles that need no change, moves the corners
-// of the soup and leaves `polygon` empty.
+// Appends the triangles of all polygons. If all are triangles that need no change, moves the
+// corners of the soup and leaves `polygon` empty.
 void triangulate(Polygon_soup& soup, const Soup_options& options, Repaired_soup& result)
 {
   if(result.replacement.empty() && !options.do_remove_degenerate_faces &&

@@ -27,11 +27,11 @@ namespace CGAL::Geodesic_processing {
 /// be oriented.
 ///
 /// The domain contains a `Surface_mesh`, on which all property maps, vertices and locations are
-/// defined. It is built when `mesh()` or a function that needs its halfedges is called for the first
-/// time. Vertex `i` of the mesh is point `i` of the soup, for all points. The faces of the mesh
-/// are the triangles of the polygons, in the order of the polygons. `polygon()` returns the polygon
-/// of a face. Outputs on faces and halfedges, for example the coordinates of a texture atlas or the
-/// locations on a remeshed surface, refer to this mesh.
+/// defined. It is built when `mesh()` or a function that needs its halfedges is called for the
+/// first time. Vertex `i` of the mesh is point `i` of the soup, for all points. The faces of the
+/// mesh are the triangles of the polygons, in the order of the polygons. `polygon()` returns the
+/// polygon of a face. Outputs on faces and halfedges, for example the coordinates of a texture
+/// atlas or the locations on a remeshed surface, refer to this mesh.
 ///
 /// The surface is split at edges of three or more triangles. Where a nonorientable surface meets
 /// itself, it is split as well. The vertices of such edges are not split: distances continue across
@@ -240,8 +240,8 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 /// reversed. `Soup_domain::report()` has the number of each repair. A soup that needs no repair has
 /// the same results as its mesh.
 ///
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default), or `CGAL::Parallel_tag` for several
-///         threads. The results are identical.
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default), or `CGAL::Parallel_tag` for
+///         several threads. The results are identical.
 /// \tparam PointRange a model of `Range`
 /// \tparam PolygonRange a model of `Range` whose elements are ranges of integers
 /// \param points the points

@@ -11,8 +11,8 @@ namespace program {
 // Returns the number of line feeds before the last character, and one more.
 std::size_t number_of_lines(std::string_view text);
 
-// Returns an upper bound of the number of lines, at most one for each min_size bytes. Lines end with
-// a line feed. Arrays of this capacity are not reallocated.
+// Returns an upper bound of the number of lines, at most one for each min_size bytes. Lines end
+// with a line feed. Arrays of this capacity are not reallocated.
 std::size_t max_number_of_lines(std::string_view text, std::size_t min_size);
 
 // The same for the lines that begin with a character.

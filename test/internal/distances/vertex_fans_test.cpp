@@ -86,8 +86,8 @@ TEST(Vertex_fans, contain_edges_of_all_vertices)
   }
 }
 
-// Each half of a split corner is a triangle whose edges at the corner have the lengths of the edge to
-// the neighbor and of the straight line to the splitting vertex.
+// Each half of a split corner is a triangle whose edges at the corner have the lengths of the edge
+// to the neighbor and of the straight line to the splitting vertex.
 TEST(Vertex_fans, contain_halves_of_split_corners)
 {
   const Array_surface surface(square(8, 0.4));

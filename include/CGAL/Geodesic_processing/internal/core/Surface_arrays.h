@@ -40,9 +40,9 @@ enum class Bisected_edges
   long_edges, // much longer than edges of equilateral triangles
 };
 
-// What all fronts on the same arrays share, as long as one of these fronts exists; see vertex_fans.h,
-// obtuse_splits.h and Intrinsic_triangulation.h. A copy of the arrays starts without it, because its
-// lengths may be changed.
+// What all fronts on the same arrays share, as long as one of these fronts exists; see
+// vertex_fans.h, obtuse_splits.h and Intrinsic_triangulation.h. A copy of the arrays starts without
+// it, because its lengths may be changed.
 struct Shared_structures
 {
   Shared_structures() = default;

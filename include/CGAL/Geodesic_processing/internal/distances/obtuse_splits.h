@@ -24,8 +24,8 @@ struct Obtuse_splits
     Index corner;  // the obtuse corner
     Index vertex;  // the vertex that splits it
     double length; // between the two
-    // The neighbors of the corner in its triangle, the next corner first: the lengths of the edges to
-    // the corner, and the distances from the splitting vertex.
+    // The neighbors of the corner in its triangle, the next corner first: the lengths of the edges
+    // to the corner, and the distances from the splitting vertex.
     Vec2 to_neighbor, base;
   };
   // One half of a split corner, as seen from one end of its base: from the neighbor of the corner,

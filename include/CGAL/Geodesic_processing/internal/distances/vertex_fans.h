@@ -20,10 +20,10 @@ struct Fan_edge
   double length;
 };
 
-// Writes the edges that leave a vertex, in the order of its one-ring, and returns their end. Triangles
-// of the one-ring that follow each other mostly share an edge. If one shares none with the next
-// triangle, an edge without a triangle follows; so there are at most two edges per triangle. The first
-// edge of a closed fan is written at both ends.
+// Writes the edges that leave a vertex, in the order of its one-ring, and returns their end.
+// Triangles of the one-ring that follow each other mostly share an edge. If one shares none with
+// the next triangle, an edge without a triangle follows; so there are at most two edges per
+// triangle. The first edge of a closed fan is written at both ends.
 inline Fan_edge* read_fan_edges(const Surface_arrays& t, Index vertex, Fan_edge* end)
 {
   const Index* const ring_end = t.ring.data() + t.ring_begin[vertex + 1];
@@ -54,8 +54,8 @@ struct Vertex_fans
 
     bool has_triangle() const { return m_code != none; }
     Index triangle() const { return m_code / 4; }
-    // Returns whether the corner of the triangle at the far end of this edge, or of the next edge, is
-    // obtuse and split.
+    // Returns whether the corner of the triangle at the far end of this edge, or of the next edge,
+    // is obtuse and split.
     bool is_split() const { return (m_code & 1) != 0; }
     bool is_next_split() const { return (m_code & 2) != 0; }
 

@@ -55,8 +55,8 @@ void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame,
               unsigned number_of_threads = 1);
 
 // Returns the indices of the points in Morton order; points in the same cell are in the order of
-// their indices. Cells divide the cube [-2, 2]^3 of the scaled coordinates; points outside of it are
-// in the closest cells. O(n) by radix sort.
+// their indices. Cells divide the cube [-2, 2]^3 of the scaled coordinates; points outside of it
+// are in the closest cells. O(n) by radix sort.
 //
 // frame  of the scaled coordinates; if it is the default, those of the caller are scaled
 CGAL_GEODESIC_PROCESSING_EXPORT
