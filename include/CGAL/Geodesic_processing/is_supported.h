@@ -18,6 +18,8 @@
   BOTH(geodesic_distance_matrix)                                                                   \
   BOTH(sparse_geodesic_distance_matrix)                                                            \
   BOTH(write_geodesic_distance_matrix)                                                             \
+  MESHES(geodesic_distance_derivatives,                                                            \
+         "The local triangles of a cloud change if surfels move: use a mesh.")                     \
   MESHES(isolines, "The triangles of a cloud overlap: lines on them cross.")                       \
   BOTH(geodesic_path)                                                                              \
   BOTH(Geodesic_path_finder)                                                                       \

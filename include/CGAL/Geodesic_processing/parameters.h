@@ -23,6 +23,8 @@ namespace CGAL::Geodesic_processing {
   NAME(speed_map)                                                                                  \
   NAME(face_speed_map)                                                                             \
   NAME(relative_tolerance)                                                                         \
+  NAME(vertex_tolerance)                                                                           \
+  NAME(second_path_tolerance)                                                                      \
   NAME(heat_time_step)                                                                             \
   NAME(source_label_map)                                                                           \
   NAME(predecessor_map)                                                                            \

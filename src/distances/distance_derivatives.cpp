@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/distances/distance_derivatives.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include "core/unfold.h"
+#include "distances/Second_path_search.h"
+#include "distances/Window_propagator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Returns the corner of a vertex in a triangle that contains a location, and the angle from its
+// halfedge to the location.
+std::pair<Index, double> corner_and_angle(const Surface_arrays& t, Index vertex,
+                                          const Surface_location& location)
+{
+  const Index triangle = common_triangle(t, vertex_location(t, vertex), location);
+  Index corner = 3 * triangle;
+  while(t.corner[corner] != vertex)
+    ++corner;
+  const auto corners = unfolded(t, triangle);
+  const Vec2 from = corners[corner % 3],
+             direction = rotated_back(
+                 unfolded_point(corners, *barycentric_in(t, triangle, location)) - from,
+                 corners[next_halfedge(corner) % 3] - from);
+  return {corner, std::atan2(std::max(0., direction[1]), direction[0])};
+}
+
+// Returns the angle at a vertex from one location to another one, counterclockwise. It is infinite
+// if the boundary is between them, or if they are in different fans.
+double angle_ccw(const Surface_arrays& t, Index vertex, const Surface_location& from,
+                 const Surface_location& to)
+{
+  const auto [first, begin] = corner_and_angle(t, vertex, from);
+  const auto [last, end] = corner_and_angle(t, vertex, to);
+  if(first == last && begin <= end)
+    return end - begin;
+  double angle = interior_angle(t, first) - begin;
+  for(Index corner = next_corner_ccw(t, first); corner != none; corner = next_corner_ccw(t, corner))
+  {
+    if(corner == last)
+      return angle + end;
+    if(corner == first)
+      break;
+    angle += interior_angle(t, corner);
+  }
+  return infinity;
+}
+
+// Returns whether a path passes a vertex so closely, or bends at it by so little, that small motions
+// can change the edges that it crosses.
+bool is_near_vertex(const Surface_arrays& t, const std::vector<Surface_location>& path,
+                    double tolerance)
+{
+  for(std::size_t i = 1; i + 1 < path.size(); ++i)
+  {
+    if(const Index vertex = vertex_of(t, path[i]); vertex != none)
+    {
+      if(std::min(angle_ccw(t, vertex, path[i - 1], path[i + 1]),
+                  angle_ccw(t, vertex, path[i + 1], path[i - 1])) < pi + tolerance)
+        return true;
+    }
+    else if(const Index h = halfedge_of(path[i]); h != none)
+    {
+      const double fraction = path[i].barycentric[h % 3];
+      if(std::min(fraction, 1. - fraction) < tolerance)
+        return true;
+    }
+  }
+  return false;
+}
+
+// Returns a path without inner points that coincide with an adjacent one in space.
+std::vector<Surface_location> without_repetitions(const Surface_arrays& t,
+                                                  const std::vector<Surface_location>& path)
+{
+  std::vector<Surface_location> result;
+  for(const Surface_location& location : path)
+    if(result.empty() || straight_distance(t, result.back(), location) > 0.)
+      result.push_back(location);
+  result.back() = path.back();
+  return result;
+}
+
+// Sets the derivatives of the length of a polyline with constant barycentric coordinates.
+void differentiate(const Surface_arrays& t, const std::vector<Surface_location>& path,
+                   Distance_derivatives& result)
+{
+  std::map<Index, Vec3> by_vertex;
+  Vec3 incoming = {0., 0., 0.};
+  for(std::size_t i = 0; i < path.size(); ++i)
+  {
+    const Vec3 outgoing =
+        i + 1 < path.size()
+            ? unit(scaled_coordinates(t, path[i + 1]) - scaled_coordinates(t, path[i]))
+            : Vec3{0., 0., 0.};
+    const Vec3 gradient = incoming - outgoing;
+    for(Index k = 0; k < 3; ++k)
+      if(const double weight = path[i].barycentric[k]; weight > 0.)
+      {
+        Vec3& sum = by_vertex.try_emplace(t.corner[3 * path[i].triangle + k], Vec3{0., 0., 0.})
+                        .first->second;
+        sum = sum + weight * gradient;
+      }
+    if(i == 0)
+      result.target_gradient = gradient;
+    result.source_gradient = gradient;
+    incoming = outgoing;
+  }
+  result.vertex_gradients.assign(by_vertex.begin(), by_vertex.end());
+}
+
+} // namespace
+
+Distance_derivatives distance_derivatives(const std::shared_ptr<const Surface_arrays>& triangles,
+                                          const Surface_location& source,
+                                          const Surface_location& target,
+                                          const Derivative_tolerances& tolerances)
+{
+  const Surface_arrays& t = *triangles;
+  Distance_derivatives result;
+  Window_propagation windows(triangles);
+  Front_limits limits;
+  limits.targets = {target};
+  windows.run({{{source}, 0., 0}}, limits);
+  const double distance = windows.distance(target);
+  result.distance = distance;
+  if(distance == infinity)
+    return result;
+  result.differentiability = Differentiability::coincident;
+  if(!(distance > 0.))
+    return result;
+  std::vector<Surface_location> path = windows.path(target).locations;
+  if(path.empty())
+    throw Unsupported_surface_error("Degenerate faces prevent the construction of a path.");
+  path = without_repetitions(t, path);
+  if(path.size() < 2)
+    return result;
+  differentiate(t, path, result);
+  if(is_near_vertex(t, path, tolerances.vertex))
+  {
+    result.differentiability = Differentiability::near_vertex;
+    return result;
+  }
+  // Farther vertices may have distances that are not final.
+  const auto lower_bound = [&](Index vertex)
+  { return (1. - round_off_tolerance) * std::min(windows.distance(vertex), distance); };
+  Second_path_search search(t, *find_pseudo_sources(t), target, source, lower_bound,
+                            distance * (1. + tolerances.second_path));
+  result.differentiability = search.has_path_other_than(path) ? Differentiability::second_path
+                                                              : Differentiability::differentiable;
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
