@@ -38,6 +38,7 @@
 #include <CGAL/Geodesic_processing/geodesic_base_mesh.h>
 #include <CGAL/Geodesic_processing/geodesic_centroidal_tessellation.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
+#include <CGAL/Geodesic_processing/geodesic_distance_derivatives.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_lle.h>

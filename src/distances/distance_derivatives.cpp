@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -90,32 +92,34 @@ std::vector<Surface_location> without_repetitions(const Surface_arrays& t,
   return result;
 }
 
-// Sets the derivatives of the length of a polyline with constant barycentric coordinates.
+// Sets the derivatives of the length of a polyline with constant barycentric coordinates, which
+// begins at the source.
 void differentiate(const Surface_arrays& t, const std::vector<Surface_location>& path,
                    Distance_derivatives& result)
 {
-  std::map<Index, Vec3> by_vertex;
+  std::map<Index, std::size_t> position; // of a vertex in the list of gradients
   Vec3 incoming = {0., 0., 0.};
   for(std::size_t i = 0; i < path.size(); ++i)
   {
-    const Vec3 outgoing =
-        i + 1 < path.size()
-            ? unit(scaled_coordinates(t, path[i + 1]) - scaled_coordinates(t, path[i]))
-            : Vec3{0., 0., 0.};
+    Vec3 outgoing = {0., 0., 0.};
+    if(i + 1 < path.size())
+      outgoing = unit(scaled_coordinates(t, path[i + 1]) - scaled_coordinates(t, path[i]));
     const Vec3 gradient = incoming - outgoing;
     for(Index k = 0; k < 3; ++k)
       if(const double weight = path[i].barycentric[k]; weight > 0.)
       {
-        Vec3& sum = by_vertex.try_emplace(t.corner[3 * path[i].triangle + k], Vec3{0., 0., 0.})
-                        .first->second;
+        const Index vertex = t.corner[3 * path[i].triangle + k];
+        const auto [found, is_new] = position.emplace(vertex, result.vertex_gradients.size());
+        if(is_new)
+          result.vertex_gradients.push_back({vertex, {0., 0., 0.}});
+        Vec3& sum = result.vertex_gradients[found->second].second;
         sum = sum + weight * gradient;
       }
     if(i == 0)
-      result.target_gradient = gradient;
-    result.source_gradient = gradient;
+      result.source_gradient = gradient;
+    result.target_gradient = gradient;
     incoming = outgoing;
   }
-  result.vertex_gradients.assign(by_vertex.begin(), by_vertex.end());
 }
 
 } // namespace
@@ -129,16 +133,16 @@ Distance_derivatives distance_derivatives(const std::shared_ptr<const Surface_ar
   Distance_derivatives result;
   Window_propagation windows(triangles);
   Front_limits limits;
-  limits.targets = {target};
-  windows.run({{{source}, 0., 0}}, limits);
-  const double distance = windows.distance(target);
+  limits.targets = {source};
+  windows.run({{{target}, 0., 0}}, limits); // so that paths begin at the source
+  const double distance = windows.distance(source);
   result.distance = distance;
   if(distance == infinity)
     return result;
   result.differentiability = Differentiability::coincident;
   if(!(distance > 0.))
     return result;
-  std::vector<Surface_location> path = windows.path(target).locations;
+  std::vector<Surface_location> path = windows.path(source).locations;
   if(path.empty())
     throw Unsupported_surface_error("Degenerate faces prevent the construction of a path.");
   path = without_repetitions(t, path);
@@ -153,7 +157,7 @@ Distance_derivatives distance_derivatives(const std::shared_ptr<const Surface_ar
   // Farther vertices may have distances that are not final.
   const auto lower_bound = [&](Index vertex)
   { return (1. - round_off_tolerance) * std::min(windows.distance(vertex), distance); };
-  Second_path_search search(t, *find_pseudo_sources(t), target, source, lower_bound,
+  Second_path_search search(t, *find_pseudo_sources(t), source, target, lower_bound,
                             distance * (1. + tolerances.second_path));
   result.differentiability = search.has_path_other_than(path) ? Differentiability::second_path
                                                               : Differentiability::differentiable;

@@ -61,8 +61,8 @@ struct Geodesic_distance_derivatives
   /// The gradient with respect to the target, as `source_gradient`
   Vector_3 target_gradient = NULL_VECTOR;
   /// The gradients with respect to the positions of vertices. Both locations move with the vertices
-  /// of their faces: their barycentric coordinates are constant. Vertices that are not listed have
-  /// gradient zero
+  /// of their faces: their barycentric coordinates are constant. The vertices are in the order of
+  /// the path, from the source to the target. All other vertices have gradient zero
   std::vector<std::pair<Vertex, Vector_3>> vertex_gradients;
 
   /// Returns whether the distance is differentiable. O(1).
@@ -100,13 +100,13 @@ struct Geodesic_distance_derivatives
 ///       of the length of the edge, and the minimum excess, in radians, of the angles at vertices
 ///       where the path bends; see `Differentiability::near_vertex`}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{`1e-3`}
+///     \cgalParamDefault{`1e-4`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{second_path_tolerance}
 ///     \cgalParamDescription{the minimum excess of the length of another path, as a fraction of the
 ///       distance; see `Differentiability::second_path`}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{`1e-5`}
+///     \cgalParamDefault{`1e-6`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the distance and its derivatives

@@ -27,8 +27,8 @@ struct Derivative_tolerances
 {
   // The minimum distance of crossings from vertices, as a fraction of the edge, and the minimum
   // excess over pi, in radians, of the angles at vertices where the path bends.
-  double vertex = 1e-3;
-  double second_path = 1e-5; // the minimum excess of the length of other paths, as a fraction
+  double vertex = 1e-4;
+  double second_path = 1e-6; // the minimum excess of the length of other paths, as a fraction
 };
 
 // The distance between two locations and its derivatives, which have no unit.
@@ -38,7 +38,7 @@ struct Distance_derivatives
   Differentiability differentiability = Differentiability::unreachable;
   // Tangent to the triangles in which the path begins and ends.
   Vec3 source_gradient = {0., 0., 0.}, target_gradient = {0., 0., 0.};
-  // By the positions of vertices, in increasing order. All others are zero. The barycentric
+  // By the positions of vertices, in the order of the path. All others are zero. The barycentric
   // coordinates of both locations are constant.
   std::vector<std::pair<Index, Vec3>> vertex_gradients;
 };
