@@ -79,6 +79,7 @@ CALL(Geodesic_distance_solver, GP::Geodesic_distance_solver<Plain> solver(surfac
 CALL(geodesic_distance_matrix, GP::geodesic_distance_matrix(surface, vertices))
 CALL(sparse_geodesic_distance_matrix, GP::sparse_geodesic_distance_matrix(surface, vertices, 1.))
 CALL(write_geodesic_distance_matrix, GP::write_geodesic_distance_matrix(surface, vertices, ""))
+CALL(geodesic_distance_derivatives, GP::geodesic_distance_derivatives(surface, p, location))
 CALL(isolines, std::vector<GP::Isoline<Plain>> lines;
      GP::isolines(surface, T::template map<double>(), std::vector<double>(),
                   std::back_inserter(lines)))

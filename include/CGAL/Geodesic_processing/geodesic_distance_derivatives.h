@@ -32,7 +32,8 @@ enum class Differentiability
   /// The shortest path is too close to a vertex. It crosses an edge at a distance from one of its
   /// ends that is less than `vertex_tolerance` times the length of the edge. Or it bends at a
   /// vertex, and on one side its angle exceeds \f$ \pi \f$ by less than `vertex_tolerance`. On the
-  /// boundary, only the angle on the surface counts. The ends of the path may be close to vertices
+  /// boundary, only the angle on the surface counts. The ends of the path may be at vertices.
+  /// Close to vertices, the derivative exists as a rule, but the second derivative does not
   near_vertex,
   /// There is a second locally shortest path that crosses other edges, or bends at other vertices.
   /// It is longer than the distance by at most `second_path_tolerance` times the distance. The
@@ -52,8 +53,8 @@ struct Geodesic_distance_derivatives
 
   /// The distance; +infinity if no path connects both locations
   double distance = std::numeric_limits<double>::infinity();
-  /// Whether the distance is differentiable. If a vertex or a second path prevents this, the
-  /// derivatives are those of one shortest path: limits of derivatives at differentiable distances
+  /// Whether the distance is differentiable. If it is `near_vertex` or `second_path`, the
+  /// derivatives are those of one shortest path
   Differentiability differentiability = Differentiability::unreachable;
   /// The gradient with respect to the source: the unit tangent vector that points away from the
   /// path, in the face in which the path begins
