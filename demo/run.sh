@@ -460,6 +460,7 @@ program distance_family "$small" 100 $build/distance_family.ply
 program robustness "$small" 100 $build/robustness.ply
 property=detour program detour_cost "$small" 100 1500 $build/detour_cost.ply
 property=density program barycenter_of_six_masses "$runner" $build/barycenter_of_six_masses.ply
+property=none program distance_gradients "$small" 100 1200 $build/distance_gradients.ply
 property=likelihood program fuzzy_geodesics "$small" 691 2278 $build/fuzzy_geodesics.ply
 property=potential program hodge_decomposition "$small" 100 1200 $build/hodge_decomposition.ply
 as=hodge_decomposition_maze property=potential program hodge_decomposition $models/maze.ply 804 3 1223 \
