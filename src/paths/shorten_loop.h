@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_SHORTEN_LOOP_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_SHORTEN_LOOP_H
+
+#include "paths/Homotopy.h"
+#include "paths/shorten_geodesic.h"
+
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Shortens a closed curve on a mesh to a locally shortest one that is freely homotopic to it.
+//
+// homotopy  of the same triangles
+// loop      not empty; consecutive locations, also the last and the first one, lie in a common
+//           triangle
+//
+// The result is not longer than the curve. Its last location is its first one. It is straight in
+// the unfolded triangles, and both angles at each vertex that it touches are at least pi; the first
+// location is no exception. If the curve is contractible, the result is its first location.
+//
+// Algorithm: shorten_geodesic() shortens the loop with one location fixed. Then the loop is cut
+// open at another location, which is a touched vertex if there is one, and is shortened again. If
+// this changes nothing, the loop is locally shortest. If no vertex is touched, the loops converge
+// linearly (Birkhoff 1917). If they are slow, the shortest loop in the annulus of crossed triangles
+// is computed: its length is a convex function of the point at which it crosses an edge.
+//
+// Tolerance: as for shorten_geodesic(). Where the loop crosses an edge, the angle of the fixed
+// location differs from pi by less than 1e-6.
+//
+// Throws as shorten_geodesic().
+CGAL_GEODESIC_PROCESSING_EXPORT
+Locally_shortest_path shorten_loop(const Surface_arrays& triangles, const Homotopy& homotopy,
+                                   const std::vector<Surface_location>& loop);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_SHORTEN_LOOP_H
