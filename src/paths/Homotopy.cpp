@@ -252,6 +252,23 @@ Homotopy::Word Homotopy::reduced(const Word& word) const
   return result;
 }
 
+Homotopy::Word Homotopy::inverse(const Word& word)
+{
+  Word result(word.rbegin(), word.rend());
+  for(Index& letter : result)
+    letter = inverse_letter(letter);
+  return result;
+}
+
+bool Homotopy::is_equal(const Word& a, const Word& b) const
+{
+  if(a == b)
+    return true;
+  Word quotient = inverse(a);
+  quotient.insert(quotient.end(), b.begin(), b.end());
+  return reduced(quotient).empty();
+}
+
 // The group of a torus is commutative.
 Homotopy::Word Homotopy::reduced_on_torus(const Word& word) const
 {

@@ -45,6 +45,10 @@ public:
   // neutral one.
   Word reduced(const Word& word) const;
 
+  static Word inverse(const Word& word);
+  // Returns whether two words are the same element.
+  bool is_equal(const Word& a, const Word& b) const;
+
   // Returns whether a closed curve that crosses these halfedges is contractible.
   bool is_contractible(const std::vector<Index>& crossed_halfedges) const
   {
