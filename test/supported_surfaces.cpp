@@ -87,6 +87,12 @@ CALL(geodesic_path, GP::geodesic_path(surface, location, p))
 CALL(Geodesic_path_finder, GP::Geodesic_path_finder<Plain>{surface}(p, location))
 CALL(shorten_polyline, GP::shorten_polyline(surface, vertices);
      GP::shorten_polyline(surface, std::vector<Point>()))
+CALL(geodesic_polyline, GP::geodesic_polyline(surface, vertices))
+CALL(shorten_loop, GP::shorten_loop(surface, vertices);
+     GP::shorten_loop(surface, std::vector<Point>()))
+CALL(loop_basis, std::vector<GP::Geodesic_loop<Plain>> loops;
+     GP::loop_basis(surface, std::back_inserter(loops)))
+CALL(shortest_noncontractible_loop, GP::shortest_noncontractible_loop(surface, location))
 CALL(straightest_geodesic, GP::straightest_geodesic(surface, p, Vector(), 1.))
 CALL(surfel_geodesic_path, GP::surfel_geodesic_path(surface, p, location))
 CALL(Surfel_path_finder,

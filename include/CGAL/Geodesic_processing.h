@@ -42,8 +42,10 @@
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_lle.h>
+#include <CGAL/Geodesic_processing/geodesic_loops.h>
 #include <CGAL/Geodesic_processing/geodesic_mds.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
+#include <CGAL/Geodesic_processing/geodesic_polyline.h>
 #include <CGAL/Geodesic_processing/geodesic_voronoi_diagram.h>
 #include <CGAL/Geodesic_processing/hodge_decomposition.h>
 #include <CGAL/Geodesic_processing/is_supported.h>

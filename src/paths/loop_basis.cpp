@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paths/loop_basis.h"
+#include <CGAL/Geodesic_processing/internal/paths/loop_basis.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include "paths/Shortest_path_forest.h"

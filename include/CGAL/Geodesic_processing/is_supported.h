@@ -24,6 +24,10 @@
   BOTH(geodesic_path)                                                                              \
   BOTH(Geodesic_path_finder)                                                                       \
   BOTH(shorten_polyline)                                                                           \
+  BOTH(geodesic_polyline)                                                                          \
+  MESHES(shorten_loop, "The triangles of a cloud overlap: loops on them have no homotopy class.")  \
+  MESHES(loop_basis, "The triangles of a cloud overlap: it has no genus.")                         \
+  MESHES(shortest_noncontractible_loop, "The triangles of a cloud overlap: it has no genus.")      \
   BOTH(straightest_geodesic)                                                                       \
   CLOUDS(surfel_geodesic_path, "The energy is that of surfels: use geodesic_path() on a mesh.")    \
   CLOUDS(Surfel_path_finder, "The energy is that of surfels: use Geodesic_path_finder on a mesh.") \

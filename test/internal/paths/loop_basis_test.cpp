@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "paths/loop_basis.h"
+#include <CGAL/Geodesic_processing/internal/paths/loop_basis.h>
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 

@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/paths/Path_finder.h>
-#include "paths/loop_basis.h"
+#include <CGAL/Geodesic_processing/internal/paths/loop_basis.h>
 
 #include "Array_surface.h"
 #include "closed_forms.h"
