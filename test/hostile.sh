@@ -57,6 +57,9 @@ feature-distance --feature-path 0,2 --feature-at 0.1,0.2,0.3
 plan --from 0 --to 1,2 --capacity 0.6,0.7
 fuzzy --from 0 --to 1
 isolines --source 0
+loops
+loops --through 0
+loops --along 0,1,2
 streamlines --from 0 --to 1
 volume --from 0.1,0.2,0.3 --to 0.4,0.2,0.1
 matrix --number 5 --method spectral

@@ -84,6 +84,7 @@ commands()
 0= voronoi --help
 0= segment --help
 0= isolines --help
+0= loops --help
 0= remesh --help
 0= base --help
 0= semiregular --help
@@ -316,6 +317,10 @@ commands()
 0 isolines models/painted.ply --property people --isovalues 0.5,1 -o out.obj
 0 isolines data/meshes/elephant_2k8.off --source 691 --method euclidean -o out.ply
 2 isolines data/points/oni_normals_1k.pwn --source 0
+0 loops data/meshes/pig_468.off -o out.vtp
+0 loops data/meshes/pig_468.off --through 5 -o out.obj
+0 loops models/ring.off --along 0,5,9
+2 loops data/points/oni_normals_1k.pwn
 0 streamlines models/ring.off --from 0 --to 200,300 --number 20
 0 streamlines models/painted.ply --from people --to room --normalize --number 30 --as-traced
 0 streamlines data/meshes/pig_468.off --from 0 --to 100,200 --seeds 0,1,2 -o out.ply
@@ -709,7 +714,7 @@ run()
           *" -o "*) ;;
           *matrix) set -- "$@" -o out.mtx ;;
           *atlas) set -- "$@" -o out.obj ;;
-          *path | *isolines | *streamlines) set -- "$@" -o out.vtp ;;
+          *path | *isolines | *loops | *streamlines) set -- "$@" -o out.vtp ;;
           *) set -- "$@" -o out.ply ;;
         esac
         set -- "$@" --values values.txt --json

@@ -192,6 +192,7 @@ TEST_F(Program, json_has_documented_keys)
   expect_keys("distance square.ply --source 0", {"max", "unreached"});
   expect_keys("distance cloud.xyz --source 0", {"max", "unreached"});
   expect_keys("isolines square.ply --source 0", {"lines", "closed", "length"});
+  expect_keys("loops square.ply", {"loops", "lengths", "length"});
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "lower", "points"});
   expect_keys("path cloud.xyz --from 0 --to 143",
               {"length", "front_distance", "lower", "points", "start_length"});

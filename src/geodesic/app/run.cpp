@@ -44,6 +44,7 @@ constexpr Named_command commands[] = {
     {"distance", add_distance},
     {"isolines", add_isolines},
     {"path", add_path},
+    {"loops", add_loops},
     {"logmap", add_logmap},
     {"decal", add_decal},
     {"flatten", add_flatten},

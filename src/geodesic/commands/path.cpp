@@ -24,7 +24,8 @@ struct Path_end
 struct Path_options
 {
   Path_end from = {"", "", "--from", "--from-at"}, to = {"", "", "--to", "--to-at"};
-  std::string method; // the path follows this method's distances; empty: search for a single path
+  std::string through; // "V,V,...": vertices that the path passes in this order
+  std::string method;  // the path follows this method's distances; empty: search for a single path
   Speed_options speed_options;      // the path has a short travel time
   bool is_locally_shortest = false; // the search ends with the first locally shortest path
   Cloud_path_options cloud;
@@ -62,13 +63,35 @@ std::string distance_method(const Path_options& options)
   return options.method.empty() ? "automatic" : options.method;
 }
 
+// Appends a path that begins at the end of the result.
 template <typename Path>
-void copy_path(const Path& path, Path_result& result)
+void append_path(const Path& path, Path_result& result)
 {
-  result.points = coordinates_of(path.points);
-  result.length = path.length;
-  result.front_distance = path.front_distance;
-  result.lower = path.lower;
+  const std::vector<Point> points = coordinates_of(path.points);
+  result.points.insert(result.points.end(), points.begin() + (result.points.empty() ? 0 : 1),
+                       points.end());
+  result.length += path.length;
+  result.front_distance += path.front_distance;
+  result.lower += path.lower;
+}
+
+// Calls search(begin, end) for each part of the path between consecutive locations, until one has
+// no path.
+template <typename Surface, typename Endpoint, typename Search>
+void search_parts(const Endpoint& from, const Endpoint& to, const Path_options& options,
+                  Path_result& result, const Search& search)
+{
+  std::vector<Endpoint> stops = {from};
+  if(!options.through.empty())
+    for(const std::size_t vertex : parse_indices(options.through, "--through"))
+      stops.emplace_back(vertex_at<Surface>(vertex));
+  stops.push_back(to);
+  for(std::size_t i = 0; i + 1 < stops.size(); ++i)
+    if(!std::visit(search, stops[i], stops[i + 1]))
+    {
+      result.points.clear();
+      return;
+    }
 }
 
 // Computes the path between two endpoints.
@@ -86,25 +109,31 @@ Path_result find_path(const Domain& domain, const Path_options& options, Job& jo
   Path_result result;
   result.speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
-  std::visit(
-      [&](const auto& begin, const auto& end)
-      {
-        if(is_single_search(options))
-        {
-          GP::Geodesic_path_finder<Surface_type> finder(domain);
-          copy_path(options.is_locally_shortest ? finder.locally_shortest_path(begin, end)
-                                                : finder(begin, end),
-                    result);
-        }
-        else
+  if(is_single_search(options))
+  {
+    GP::Geodesic_path_finder<Surface_type> finder(domain);
+    search_parts<Surface_type>(from, to, options, result,
+                               [&](const auto& begin, const auto& end)
+                               {
+                                 const auto path = options.is_locally_shortest
+                                                       ? finder.locally_shortest_path(begin, end)
+                                                       : finder(begin, end);
+                                 append_path(path, result);
+                                 return !path.empty();
+                               });
+  }
+  else
+    search_parts<Surface_type>(
+        from, to, options, result,
+        [&](const auto& begin, const auto& end)
         {
           Distance_solver<Surface_type> solver(domain, to_method(distance_method(options)));
           solver.compute(end, GP::parameters::targets(begin).speed_map(
                                   speed_map<typename Domain::Vertex>(result.speed)));
-          copy_path(solver.path(begin), result);
-        }
-      },
-      from, to);
+          const auto path = solver.path(begin);
+          append_path(path, result);
+          return !path.empty();
+        });
   return result;
 }
 
@@ -122,16 +151,16 @@ Path_result find_cloud_path(const Cloud& cloud, const Path_options& options, Job
   const Path_endpoint from = endpoint(options.from), to = endpoint(options.to);
   job.begin_stage("query");
   Path_result result;
-  std::visit(
-      [&](const auto& begin, const auto& end)
-      {
-        const auto path = finder(begin, end);
-        copy_path(path, result);
-        for(const Cloud::Index& surfel : path.initial_path)
-          result.start.push_back(coordinates(finder.point(surfel)));
-        result.start_length = path.initial_length;
-      },
-      from, to);
+  search_parts<Cloud>(from, to, options, result,
+                      [&](const auto& begin, const auto& end)
+                      {
+                        const auto path = finder(begin, end);
+                        append_path(path, result);
+                        for(const Cloud::Index& surfel : path.initial_path)
+                          result.start.push_back(coordinates(finder.point(surfel)));
+                        result.start_length += path.initial_length;
+                        return !path.empty();
+                      });
   if(!job.picture().empty())
     result.surfels = denoised_surfels(cloud, finder);
   return result;
@@ -152,6 +181,8 @@ void run_path(Job& job, const Path_options& options)
 {
   check(options.from);
   check(options.to);
+  if(!options.through.empty())
+    parse_indices(options.through, "--through");
   check_method(distance_method(options));
   check(options.speed_options, distance_method(options));
   if(options.is_locally_shortest && !is_single_search(options))
@@ -162,6 +193,9 @@ void run_path(Job& job, const Path_options& options)
   for(const Path_end* end : {&options.from, &options.to})
     if(!end->vertex.empty())
       check_vertex(surface, parse_vertex(*end));
+  if(!options.through.empty())
+    for(const std::size_t vertex : parse_indices(options.through, "--through"))
+      check_vertex(surface, vertex);
 
   job.begin_stage("prepare");
   Path_result result;
@@ -193,6 +227,9 @@ void run_path(Job& job, const Path_options& options)
     picture.show_isolines = false;
     picture.polylines = {result.points};
     picture.markers = {result.points.front(), result.points.back()};
+    if(!options.through.empty())
+      for(const std::size_t vertex : parse_indices(options.through, "--through"))
+        picture.markers.push_back(surface.file.points[vertex]);
     picture.thin_polylines = initial_paths;
     draw(job.picture(), picture);
   }
@@ -214,6 +251,8 @@ void add_path(CLI::App& program)
     command.add(end->vertex_option, end->vertex, "V", "endpoint: index of a vertex");
     command.add(end->point_option, end->point, "x,y,z", "endpoint: location closest to a point");
   }
+  command.add("--through", options->through, "V[,V...]",
+              "vertices that the path passes, in this order");
   command.add("--method", options->method, "NAME",
               "follow the distances of a method: automatic, exact, euclidean, fast-marching, "
               "dijkstra or heat (default: search for a single path, on meshes a shortest one)");
