@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paths/Homotopy.h"
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include "core/unfold.h"
 
@@ -300,10 +301,18 @@ crossed_halfedges(const Surface_arrays& t, const std::vector<Surface_location>& 
   const std::size_t size = path.size();
   if(size < 2)
     return result;
-  Index triangle = common_triangle(t, path[size - 1], path[0]);
+  const auto triangle_after = [&](std::size_t i)
+  {
+    const Index result = common_triangle(t, path[i], path[(i + 1) % size]);
+    if(result == none)
+      throw Invalid_argument_error(
+          "Two consecutive locations of a path are not in a common triangle.");
+    return result;
+  };
+  Index triangle = triangle_after(size - 1);
   for(std::size_t i = 0; i < size; ++i)
   {
-    const Index next_triangle = common_triangle(t, path[i], path[(i + 1) % size]);
+    const Index next_triangle = triangle_after(i);
     if(next_triangle == triangle)
       continue;
     if(const Index vertex = vertex_of(t, path[i]); vertex != none)

@@ -44,11 +44,20 @@ public:
   explicit Geodesic_shortener(const Surface_arrays& t) : t(t) {}
 
   Locally_shortest_path operator()(const std::vector<Surface_location>& path);
+  // For a closed path.
+  Locally_shortest_path shorten_closed(const std::vector<Surface_location>& path,
+                                       bool& is_geodesic);
 
 private:
   void initialize(const std::vector<Surface_location>& path);
+  void shorten();
   bool shorten_globally();
-  void shorten_locally();
+  bool shorten_locally(Index first, Index last);
+  Index middle() const;
+  bool move_base();
+  bool remove(Index path_vertex);
+  bool touches_vertex() const { return m_path_vertices[m_begin].next != m_end; }
+  void compute_angles_at_base(double& left, double& right);
   bool shorten_around(Index& first, Index& last);
   Locally_shortest_path make_result();
 
@@ -450,9 +459,11 @@ bool Geodesic_shortener::shorten_around(Index& first, Index& last)
 }
 
 // Reroutes the path around one touched vertex after the other until all angles are at least pi.
-void Geodesic_shortener::shorten_locally()
+// Begins with the vertices from `first` to `last`. Returns whether the path has changed.
+bool Geodesic_shortener::shorten_locally(Index first, Index last)
 {
   std::deque<Index> queue;
+  bool is_changed = false;
   const auto enqueue = [&](Index index)
   {
     if(index != m_begin && index != m_end && !m_path_vertices[index].is_queued)
@@ -461,13 +472,20 @@ void Geodesic_shortener::shorten_locally()
       queue.push_back(index);
     }
   };
+  const auto enqueue_range = [&](Index begin, Index end)
+  {
+    for(Index path_vertex = begin;; path_vertex = m_path_vertices[path_vertex].next)
+    {
+      enqueue(path_vertex);
+      if(path_vertex == end)
+        break;
+    }
+  };
   std::size_t size = 0;
   for(Index path_vertex = m_begin; path_vertex != m_end;
       path_vertex = m_path_vertices[path_vertex].next)
-  {
     size += m_path_vertices[path_vertex].strip.halfedges.size() + 1;
-    enqueue(path_vertex);
-  }
+  enqueue_range(first, last);
   // Each rerouting shortens the path, so that the loop terminates. The limit is for surfaces on
   // which each shortens it by almost nothing.
   const std::size_t work_limit = m_number_of_visited_halfedges + 10000000 + 1000 * size;
@@ -478,18 +496,123 @@ void Geodesic_shortener::shorten_locally()
     if(!m_path_vertices[index].is_queued)
       continue; // it has been merged or replaced since it was queued
     m_path_vertices[index].is_queued = false;
-    Index first = m_path_vertices[index].previous, last = m_path_vertices[index].next;
+    first = m_path_vertices[index].previous;
+    last = m_path_vertices[index].next;
     if(!shorten_around(first, last))
       continue;
-    for(Index path_vertex = first;; path_vertex = m_path_vertices[path_vertex].next)
-    {
-      enqueue(path_vertex);
-      if(path_vertex == last)
-        break;
-    }
+    is_changed = true;
+    enqueue_range(first, last);
     merge_duplicates(first, last);
   }
+  return is_changed;
 }
+
+// ------------------------------------------------------------------------------------ closed paths
+
+// Returns the touched vertex in the middle of the path.
+Index Geodesic_shortener::middle() const
+{
+  double length = 0.;
+  for(Index i = m_begin; i != m_end; i = m_path_vertices[i].next)
+    length += m_path_vertices[i].length;
+  double position = m_path_vertices[m_begin].length, best = infinity;
+  Index result = none;
+  for(Index i = m_path_vertices[m_begin].next; i != m_end; i = m_path_vertices[i].next)
+  {
+    const double distance = std::abs(position - 0.5 * length);
+    if(distance < best)
+    {
+      best = distance;
+      result = i;
+    }
+    position += m_path_vertices[i].length;
+  }
+  return result;
+}
+
+// Cuts the closed path open at the touched vertex in the middle, and shortens it at the previous
+// base. Returns whether the path has changed.
+bool Geodesic_shortener::move_base()
+{
+  const Index new_end = middle();
+  // Joins the ends.
+  const Index base = m_begin;
+  m_path_vertices[base].corner_in = m_path_vertices[m_end].corner_in;
+  m_path_vertices[base].angle_in = m_path_vertices[m_end].angle_in;
+  link(m_path_vertices[m_end].previous, base);
+  release(m_end);
+  // Splits the new base.
+  const Index new_begin = new_path_vertex(m_path_vertices[new_end].location);
+  Path_vertex &begin = m_path_vertices[new_begin], &end = m_path_vertices[new_end];
+  begin.strip = std::move(end.strip);
+  begin.length = end.length;
+  begin.corner_out = end.corner_out;
+  begin.angle_out = end.angle_out;
+  link(new_begin, end.next);
+  m_begin = new_begin;
+  m_end = new_end;
+  return m_path_vertices[base].vertex == none ? remove(base) : shorten_locally(base, base);
+}
+
+// Removes a path vertex that is not at a vertex, and shortens the path. Returns true.
+bool Geodesic_shortener::remove(Index index)
+{
+  const Path_vertex& removed = m_path_vertices[index];
+  const Index first = removed.previous, last = removed.next;
+  Strip strip = m_path_vertices[first].strip;
+  if(strip.last_triangle(t) != removed.strip.triangle)
+  {
+    const Index h = halfedge_of(removed.location);
+    strip.append(t, h / 3 == strip.last_triangle(t) ? h : t.twin[h]);
+  }
+  for(const Index h : removed.strip.halfedges)
+    strip.append(t, h);
+  insert_shortest_path(std::move(strip), first, last);
+  release(index);
+  merge_duplicates(first, last);
+  shorten_locally(m_begin, m_end);
+  return true;
+}
+
+// Computes the angles of the closed path at its base, which is a vertex.
+void Geodesic_shortener::compute_angles_at_base(double& left, double& right)
+{
+  const Index joined = new_path_vertex(m_path_vertices[m_begin].location);
+  Path_vertex& path_vertex = m_path_vertices[joined];
+  path_vertex.corner_out = m_path_vertices[m_begin].corner_out;
+  path_vertex.angle_out = m_path_vertices[m_begin].angle_out;
+  path_vertex.corner_in = m_path_vertices[m_end].corner_in;
+  path_vertex.angle_in = m_path_vertices[m_end].angle_in;
+  compute_angles(joined, left, right);
+  release(joined);
+}
+
+Locally_shortest_path Geodesic_shortener::shorten_closed(const std::vector<Surface_location>& path,
+                                                         bool& is_geodesic)
+{
+  initialize(path);
+  if(m_end == none)
+  {
+    is_geodesic = true;
+    return make_result();
+  }
+  shorten();
+  is_geodesic = false;
+  while(touches_vertex() && !is_geodesic)
+    is_geodesic = !move_base();
+  Locally_shortest_path result = make_result();
+  if(m_path_vertices[m_begin].vertex != none && result.locations.size() > 1)
+  {
+    Touched_vertex base{0, 0., 0.};
+    compute_angles_at_base(base.left_angle, base.right_angle);
+    is_geodesic =
+        is_geodesic || std::min(base.left_angle, base.right_angle) >= pi - angle_tolerance;
+    result.touched_vertices.insert(result.touched_vertices.begin(), base);
+  }
+  return result;
+}
+
+// ---------------------------------------------------------------------------------------- results
 
 // Returns the path with its points on crossed edges.
 Locally_shortest_path Geodesic_shortener::make_result()
@@ -537,14 +660,27 @@ Locally_shortest_path Geodesic_shortener::operator()(const std::vector<Surface_l
 {
   initialize(path);
   if(m_end != none)
-  {
-    // Global steps are cheaper while most touched vertices are rerouted. Local steps are cheaper
-    // for the last ones.
-    for(int i = 0; i < 8 && shorten_globally(); ++i)
-      ;
-    shorten_locally();
-  }
+    shorten();
   return make_result();
+}
+
+void Geodesic_shortener::shorten()
+{
+  // Global steps are cheaper while most touched vertices are rerouted. Local steps are cheaper for
+  // the last ones.
+  for(int i = 0; i < 8 && shorten_globally(); ++i)
+    ;
+  shorten_locally(m_begin, m_end);
+}
+
+// Checks the arguments of the functions.
+void check_path(const Surface_arrays& t, const std::vector<Surface_location>& path)
+{
+  if(path.empty())
+    throw Invalid_argument_error("The path has no location.");
+  if(t.is_cloud())
+    throw Unsupported_surface_error(
+        "Shortening a path requires a mesh, because the triangles of a cloud are not connected.");
 }
 
 } // namespace
@@ -552,12 +688,16 @@ Locally_shortest_path Geodesic_shortener::operator()(const std::vector<Surface_l
 Locally_shortest_path shorten_geodesic(const Surface_arrays& t,
                                        const std::vector<Surface_location>& path)
 {
-  if(path.empty())
-    throw Invalid_argument_error("The path has no location.");
-  if(t.is_cloud())
-    throw Unsupported_surface_error(
-        "Shortening a path requires a mesh, because the triangles of a cloud are not connected.");
+  check_path(t, path);
   return Geodesic_shortener(t)(path);
+}
+
+Locally_shortest_path shorten_closed_geodesic(const Surface_arrays& t,
+                                              const std::vector<Surface_location>& path,
+                                              bool& is_geodesic)
+{
+  check_path(t, path);
+  return Geodesic_shortener(t).shorten_closed(path, is_geodesic);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

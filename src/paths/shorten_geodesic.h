@@ -57,6 +57,19 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Locally_shortest_path shorten_geodesic(const Surface_arrays& triangles,
                                        const std::vector<Surface_location>& path);
 
+// Shortens a closed path whose last location is its first one.
+//
+// As shorten_geodesic() with one location fixed. As long as the path touches a vertex, the fixed
+// location is moved to it, and the path is shortened at the previous one. The fixed location at the
+// end is the first one of the result; if it is a vertex, it is listed in `touched_vertices`, with
+// location index 0.
+//
+// is_geodesic  receives whether the result is also straight at its first location
+CGAL_GEODESIC_PROCESSING_EXPORT
+Locally_shortest_path shorten_closed_geodesic(const Surface_arrays& triangles,
+                                              const std::vector<Surface_location>& path,
+                                              bool& is_geodesic);
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_SHORTEN_GEODESIC_H

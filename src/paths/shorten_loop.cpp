@@ -26,52 +26,15 @@ std::vector<Surface_location> cut_open_at(const std::vector<Surface_location>& l
   return result;
 }
 
-// Returns the touched vertex in the middle of a loop that is cut open. If there is none, returns
-// the location in the middle.
-std::size_t middle(const Surface_arrays& t, const Locally_shortest_path& loop)
+// Returns the index of the location in the middle of a loop that is cut open.
+std::size_t middle(const Surface_arrays& t, const std::vector<Surface_location>& loop)
 {
-  const std::size_t size = loop.locations.size();
-  std::vector<double> position(size, 0.);
-  for(std::size_t i = 1; i < size; ++i)
-    position[i] = position[i - 1] + path_length(t, {loop.locations[i - 1], loop.locations[i]});
-  const double half = 0.5 * position.back();
-  const auto is_closer = [&](std::size_t i, std::size_t j)
-  { return std::abs(position[i] - half) < std::abs(position[j] - half); };
-  if(loop.touched_vertices.empty())
-  {
-    std::size_t result = 1;
-    for(std::size_t i = 2; i + 1 < size; ++i)
-      if(is_closer(i, result))
-        result = i;
-    return result;
-  }
-  return std::min_element(loop.touched_vertices.begin(), loop.touched_vertices.end(),
-                          [&](const Touched_vertex& v, const Touched_vertex& w)
-                          { return is_closer(v.location_index, w.location_index); })
-      ->location_index;
-}
-
-// Returns a locally shortest loop with the angles at all vertices that it touches.
-Locally_shortest_path with_all_touched_vertices(const Surface_arrays& t,
-                                                const std::vector<Surface_location>& loop)
-{
-  // The loop is cut open in the middle of its first segment.
-  const Index triangle = common_triangle(t, loop[0], loop[1]);
-  const auto begin = *barycentric_in(t, triangle, loop[0]),
-             end = *barycentric_in(t, triangle, loop[1]);
-  Surface_location base;
-  base.triangle = triangle;
-  for(int k = 0; k < 3; ++k)
-    base.barycentric[k] = 0.5 * (begin[k] + end[k]);
-  std::vector<Surface_location> path = {base};
-  path.insert(path.end(), loop.begin() + 1, loop.end());
-  path.push_back(base);
-  Locally_shortest_path result = shorten_geodesic(t, path);
-  result.locations.erase(result.locations.begin());
-  result.locations.back() = result.locations.front();
-  for(Touched_vertex& touched : result.touched_vertices)
-    --touched.location_index;
-  return result;
+  std::vector<double> position(loop.size(), 0.);
+  for(std::size_t i = 1; i < loop.size(); ++i)
+    position[i] = position[i - 1] + path_length(t, {loop[i - 1], loop[i]});
+  const auto after =
+      std::lower_bound(position.begin() + 1, position.end() - 2, 0.5 * position.back());
+  return std::size_t(after - position.begin());
 }
 
 // An annulus of triangles: the edges that a loop crosses.
@@ -174,31 +137,35 @@ Locally_shortest_path shorten_loop(const Surface_arrays& t, const Homotopy& homo
   std::vector<Surface_location> closed = loop;
   if(!closed.empty())
     closed.push_back(closed.front());
-  path_length(t, closed); // checks the locations
   const auto crossed = crossed_halfedges(t, closed);
   if(!closed.empty() && crossed && homotopy.is_contractible(*crossed))
     closed.resize(1);
-  Locally_shortest_path result = shorten_geodesic(t, closed);
-  if(result.locations.size() == 1)
-    return result;
-  for(;;)
+  bool is_geodesic;
+  Locally_shortest_path result = shorten_closed_geodesic(t, closed, is_geodesic);
+  while(!is_geodesic)
   {
-    const bool touches_no_vertex =
-        result.touched_vertices.empty() && vertex_of(t, result.locations.front()) == none;
-    Locally_shortest_path next =
-        shorten_geodesic(t, cut_open_at(result.locations, middle(t, result)));
-    if(touches_no_vertex && next.touched_vertices.empty() &&
+    // The loop touches no vertex but its first location.
+    const bool is_at_vertex = !result.touched_vertices.empty();
+    Locally_shortest_path next = shorten_closed_geodesic(
+        t, cut_open_at(result.locations, middle(t, result.locations)), is_geodesic);
+    if(!is_geodesic && !is_at_vertex && next.touched_vertices.empty() &&
        !(next.length < (1. - slow_gain) * result.length))
     {
       Annulus annulus(t, *crossed_halfedges(t, next.locations));
-      Locally_shortest_path shortest = shorten_geodesic(t, annulus.shortest_loop());
+      bool is_shortest_geodesic;
+      Locally_shortest_path shortest =
+          shorten_closed_geodesic(t, annulus.shortest_loop(), is_shortest_geodesic);
       if(shortest.length < next.length)
+      {
         next = std::move(shortest);
+        is_geodesic = is_shortest_geodesic;
+      }
     }
-    if(!(next.length < result.length))
-      return with_all_touched_vertices(t, result.locations);
+    if(!(next.length < result.length) && !is_geodesic)
+      return result;
     result = std::move(next);
   }
+  return result;
 }
 
 } // namespace CGAL::Geodesic_processing::internal
