@@ -63,11 +63,12 @@ public:
   // loop in the annulus.
   std::vector<Surface_location> shortest_loop()
   {
-    // Golden section search.
-    constexpr double ratio = 0.61803398874989484820, precision = 1e-10;
+    // Golden section search. If the loop touches vertices, a low precision is enough, because the
+    // loop is then shortened with one of them fixed.
+    constexpr double ratio = 0.61803398874989484820, precision = 1e-10, low_precision = 1e-2;
     double begin = 0., end = 1., left = 1. - ratio, right = ratio;
     double left_length = length(left), right_length = length(right);
-    while(end - begin > precision)
+    while(end - begin > (m_touches_vertex ? low_precision : precision))
       if(left_length <= right_length)
       {
         end = right;
@@ -112,7 +113,9 @@ private:
     m_unfolded.unfold(t, m_strip, base, base);
     Vec2 last = {0., 0.};
     double result = 0.;
-    for(const Bend& bend : m_funnel.find_bends(t, m_strip, m_unfolded))
+    const std::vector<Bend>& bends = m_funnel.find_bends(t, m_strip, m_unfolded);
+    m_touches_vertex = !bends.empty();
+    for(const Bend& bend : bends)
     {
       const Vec2 next =
           bend.is_left ? m_unfolded.left[bend.strip_index] : m_unfolded.right[bend.strip_index];
@@ -127,6 +130,7 @@ private:
   Strip m_strip; // from the first edge to itself
   Unfolded_strip m_unfolded;
   Funnel m_funnel;
+  bool m_touches_vertex = false; // the loop whose length was computed last
 };
 
 } // namespace
