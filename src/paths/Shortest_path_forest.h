@@ -12,7 +12,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 // The shortest paths along edges from one fan of each component, or from one fan only. Components
 // are joined across edges.
-class Shortest_path_forest
+class CGAL_GEODESIC_PROCESSING_EXPORT Shortest_path_forest
 {
 public:
   // root: a fan, or none for one fan of each component
