@@ -156,11 +156,12 @@ OutputIterator loop_basis(const Surface& mesh, OutputIterator out,
 ///
 /// Computes a shortest one of all closed curves through a given location that are not contractible.
 ///
-/// The two halves of this curve are shortest paths in the universal cover \cgalCite{cgal:ew-goh-05}.
-/// All homotopy classes that can contain it are found in a disk of the universal cover. For each
-/// one, the shortest curve is computed by exact windows \cgalCite{cgal:mmp-dgp-87}. A curve around a
-/// hole of a mesh with boundary is not contractible if there is another hole, or a handle. The curve
-/// can have a corner at the location. `shorten_loop()` removes it.
+/// The two halves of this curve are shortest paths in the universal cover
+/// \cgalCite{cgal:ew-goh-05}. All homotopy classes that can contain it are found in a disk of the
+/// universal cover. For each one, the shortest curve is computed by exact windows
+/// \cgalCite{cgal:mmp-dgp-87}. A curve around a hole of a mesh with boundary is not contractible if
+/// there is another hole, or a handle. The curve can have a corner at the location.
+/// `shorten_loop()` removes it.
 ///
 /// \tparam Surface a model of `FaceListGraph`, a soup or the domain of one of them
 /// \tparam QueryLocation a vertex or a `Location<Surface>`

@@ -20,8 +20,8 @@ namespace CGAL::Geodesic_processing {
 template <typename Surface>
 struct Geodesic_polyline : Surface_path<Surface>
 {
-  /// For each given point, the index of its location in `locations`. If the path is closed, one more
-  /// index is that of the last location
+  /// For each given point, the index of its location in `locations`. If the path is closed, one
+  /// more index is that of the last location
   std::vector<std::size_t> corners;
 };
 
@@ -36,8 +36,9 @@ struct Geodesic_polyline : Surface_path<Surface>
 /// \tparam Surface as for `geodesic_distances()`
 /// \tparam Polyline a range of vertices, surfels, `Location<Surface>` or points of any kernel
 /// \param surface as for `geodesic_distances()`
-/// \param points at least two vertices, surfels, locations or points. A point stands for the closest
-///        location on the surface. Equal consecutive points have the same location of the path
+/// \param points at least two vertices, surfels, locations or points. A point stands for the
+///        closest location on the surface. Equal consecutive points have the same location of the
+///        path
 /// \param np `vertex_point_map` on a mesh, the named parameters of `Surfel_path_finder` on a cloud;
 ///        and
 ///
@@ -49,8 +50,8 @@ struct Geodesic_polyline : Surface_path<Surface>
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the path. `length`, `front_distance` and `lower` are the sums of those of its parts; on
-///          a mesh, `lower` is a lower bound of all paths through the points in this order. The path
-///          is empty if two consecutive points are not connected
+///          a mesh, `lower` is a lower bound of all paths through the points in this order. The
+///          path is empty if two consecutive points are not connected
 /// \throws Invalid_argument_error if there are fewer than two points, or if one is invalid
 /// \throws as `Geodesic_path_finder`
 ///

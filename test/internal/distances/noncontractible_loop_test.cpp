@@ -38,8 +38,8 @@ double loop_length(const Array_surface& surface, const Surface_location& through
   return t.scale * path_length(t, loop);
 }
 
-// Returns the shortest distance in the universal cover between two copies of a location. The part of
-// the cover contains all triangles with a vertex that is closer than `max_length`, and more.
+// Returns the shortest distance in the universal cover between two copies of a location. The part
+// of the cover contains all triangles with a vertex that is closer than `max_length`, and more.
 double shortest_length_in_cover(const Array_surface& surface, const Surface_location& through,
                                 double max_length)
 {

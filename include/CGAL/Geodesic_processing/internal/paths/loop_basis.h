@@ -20,8 +20,8 @@ namespace CGAL::Geodesic_processing::internal {
 // passed in both directions is removed.
 //
 // Consecutive locations, also the last and the first one, lie in a common triangle. If several
-// edges join two vertices, the midpoint of the edge is a location of the loop, too. Loops are in the
-// order of the length through the vertex.
+// edges join two vertices, the midpoint of the edge is a location of the loop, too. Loops are in
+// the order of the length through the vertex.
 //
 // Throws Unsupported_surface_error on a cloud. O(n log n + output size)
 CGAL_GEODESIC_PROCESSING_EXPORT
