@@ -50,7 +50,7 @@ namespace CGAL::Geodesic_processing {
   NAME(edge_path_output)                                                                           \
   NAME(do_fit_circles)                                                                             \
   NAME(do_shorten)                                                                                 \
-  NAME(do_close)                                                                                  \
+  NAME(do_close)                                                                                   \
   NAME(maximum_number_of_edges)                                                                    \
   NAME(maximum_perimeter)                                                                          \
   NAME(hole_filling_method)                                                                        \
