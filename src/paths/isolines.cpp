@@ -13,13 +13,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The triangles that the isolines of each level visit.
-struct Triangles_of_levels
-{
-  std::vector<std::size_t> begin; // #levels + 1
-  std::vector<Index> triangle;
-};
-
 // Returns the position between the ends of an edge at which linear interpolation has the value
 // `level`. lower < level <= upper.
 double linear_crossing(double lower, double upper, double level)
@@ -48,6 +41,25 @@ double circular_crossing(double lower, double upper, double level, double length
       linear >= 0. ? 2. * constant / (linear + root) : (root - linear) / (2. * quadratic);
   return t >= 0. ? std::min(t, 1.) : linear_crossing(lower, upper, level);
 }
+
+} // namespace
+
+double isoline_position(double lower, double upper, double level, double length,
+                        Edge_interpolation interpolation)
+{
+  return interpolation == Edge_interpolation::circular && lower >= 0.
+             ? circular_crossing(lower, upper, level, length)
+             : linear_crossing(lower, upper, level);
+}
+
+namespace {
+
+// The triangles that the isolines of each level visit.
+struct Triangles_of_levels
+{
+  std::vector<std::size_t> begin; // #levels + 1
+  std::vector<Index> triangle;
+};
 
 class Isoline_tracer
 {
@@ -120,10 +132,8 @@ private:
     const Index next = next_halfedge(h);
     const bool is_rising = !is_above(h);
     const double lower = value(is_rising ? h : next), upper = value(is_rising ? next : h);
-    const double t =
-        m_interpolation == Edge_interpolation::circular && lower >= 0.
-            ? circular_crossing(lower, upper, m_level, m_triangles.scale * m_triangles.length[h])
-            : linear_crossing(lower, upper, m_level);
+    const double t = isoline_position(lower, upper, m_level,
+                                      m_triangles.scale * m_triangles.length[h], m_interpolation);
     Surface_location location;
     location.triangle = h / 3;
     location.barycentric = {0., 0., 0.};

@@ -3,15 +3,12 @@
 #ifndef CGAL_GEODESIC_PROCESSING_ISOLINES_H
 #define CGAL_GEODESIC_PROCESSING_ISOLINES_H
 
-#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/isovalues.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/paths/isolines.h>
 #include <CGAL/Geodesic_processing/is_supported.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
-#include <CGAL/number_utils.h>
-
-#include <cmath>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -92,24 +89,13 @@ template <typename Surface, typename ValueMap, typename Isovalues, typename Outp
 OutputIterator isolines(const Surface& mesh, ValueMap value_map, const Isovalues& isovalues,
                         OutputIterator out, const NamedParameters& np = NamedParameters())
 {
-  using internal::Index;
   static_assert(internal::require_support<Function::isolines, Surface>());
   const auto domain = make_domain(mesh, np);
   const internal::Surface_arrays& triangles = *domain.triangles();
-  std::vector<double> values(domain.number_of_vertices()), levels;
-  for(Index v = 0; v < values.size(); ++v)
-    values[v] = CGAL::to_double(get(value_map, domain.vertex(v)));
-  for(const auto& isovalue : isovalues)
-  {
-    levels.push_back(CGAL::to_double(isovalue));
-    if(!std::isfinite(levels.back()))
-      throw Invalid_argument_error("An isovalue is not finite.");
-  }
-  const auto interpolation = internal::parameter(np, internal_np::do_fit_circles, false)
-                                 ? internal::Edge_interpolation::circular
-                                 : internal::Edge_interpolation::linear;
+  const std::vector<double> values = internal::function_values(domain, value_map);
+  const std::vector<double> levels = internal::checked_isovalues(isovalues);
   for(const internal::Isoline& line :
-      internal::find_isolines(triangles, values, levels, interpolation))
+      internal::find_isolines(triangles, values, levels, internal::edge_interpolation(np)))
   {
     Isoline<typename std::decay_t<decltype(domain)>::Surface> isoline;
     isoline.value = levels[line.level];

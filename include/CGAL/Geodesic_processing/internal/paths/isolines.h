@@ -28,6 +28,13 @@ enum class Edge_interpolation
   circular
 };
 
+// Returns the position between the ends of an edge at which its interpolated value is `level`, from
+// zero at the lower to one at the upper end. lower < level <= upper. `length` is the length of the
+// edge in the unit of the values; linear interpolation does not use it.
+CGAL_GEODESIC_PROCESSING_EXPORT
+double isoline_position(double lower, double upper, double level, double length,
+                        Edge_interpolation interpolation);
+
 // Computes the isolines of a function on a mesh, given by its values at the vertices.
 //
 // A vertex whose value equals the level counts as above the level. Therefore a triangle has one
