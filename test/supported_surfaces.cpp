@@ -83,6 +83,9 @@ CALL(geodesic_distance_derivatives, GP::geodesic_distance_derivatives(surface, p
 CALL(isolines, std::vector<GP::Isoline<Plain>> lines;
      GP::isolines(surface, T::template map<double>(), std::vector<double>(),
                   std::back_inserter(lines)))
+CALL(split_at_isolines,
+     GP::split_at_isolines(surface, T::template map<double>(), std::vector<double>(), output,
+                           map_of<Mesh::Face_index, std::size_t>()))
 CALL(geodesic_path, GP::geodesic_path(surface, location, p))
 CALL(Geodesic_path_finder, GP::Geodesic_path_finder<Plain>{surface}(p, location))
 CALL(shorten_polyline, GP::shorten_polyline(surface, vertices);

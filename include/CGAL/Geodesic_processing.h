@@ -63,6 +63,7 @@
 #include <CGAL/Geodesic_processing/semi_regular_remeshing.h>
 #include <CGAL/Geodesic_processing/shorten_polyline.h>
 #include <CGAL/Geodesic_processing/speeds.h>
+#include <CGAL/Geodesic_processing/split_at_isolines.h>
 #include <CGAL/Geodesic_processing/straightest_geodesic.h>
 #include <CGAL/Geodesic_processing/surfel_geodesic_path.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>

@@ -21,6 +21,7 @@
   MESHES(geodesic_distance_derivatives,                                                            \
          "The local triangles of a cloud change if surfels move: use a mesh.")                     \
   MESHES(isolines, "The triangles of a cloud overlap: lines on them cross.")                       \
+  MESHES(split_at_isolines, "The triangles of a cloud overlap: they cannot be cut.")               \
   BOTH(geodesic_path)                                                                              \
   BOTH(Geodesic_path_finder)                                                                       \
   BOTH(shorten_polyline)                                                                           \
