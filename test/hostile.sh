@@ -57,6 +57,7 @@ feature-distance --feature-path 0,2 --feature-at 0.1,0.2,0.3
 plan --from 0 --to 1,2 --capacity 0.6,0.7
 fuzzy --from 0 --to 1
 isolines --source 0
+isolines --source 0 --divided
 loops
 loops --through 0
 loops --along 0,1,2

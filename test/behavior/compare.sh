@@ -316,6 +316,8 @@ commands()
 0 isolines models/ring.off --source 0 --number 8 -o out.vtp
 0 isolines models/painted.ply --property people --isovalues 0.5,1 -o out.obj
 0 isolines data/meshes/elephant_2k8.off --source 691 --method euclidean -o out.ply
+0 isolines data/meshes/elephant_2k8.off --source 691 --divided -o out.vtp
+0 isolines data/patches/three_peaks_2k.off --source 0 -o out.svg
 2 isolines data/points/oni_normals_1k.pwn --source 0
 0 loops data/meshes/pig_468.off -o out.vtp
 0 loops data/meshes/pig_468.off --through 5 -o out.obj

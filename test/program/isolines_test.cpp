@@ -4,7 +4,11 @@
 // The command isolines.
 #include "Program.h"
 
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -56,6 +60,83 @@ TEST_F(Program, isolines_of_properties_are_computed)
   EXPECT_EQ(json("isolines square.ply --property double_speed")["lines"], 0);
 }
 
+// Returns the area of the faces with each value of their only property, of a binary PLY file whose
+// vertices have coordinates only.
+std::map<std::uint32_t, double> areas_of_ply(const std::string& bytes)
+{
+  const auto count = [&](const std::string& element)
+  { return std::stoul(bytes.substr(bytes.find("element " + element) + 9 + element.size())); };
+  const char* next = bytes.data() + bytes.find("end_header\n") + 11;
+  std::vector<std::array<double, 3>> points(count("vertex"));
+  std::memcpy(points.data(), next, 24 * points.size());
+  next += 24 * points.size();
+  std::map<std::uint32_t, double> result;
+  for(std::size_t f = 0; f < count("face"); ++f)
+  {
+    std::array<std::uint32_t, 4> face; // three corners and the property
+    std::memcpy(face.data(), next + 1, sizeof face);
+    next += 1 + sizeof face;
+    const auto &p = points[face[0]], &q = points[face[1]], &r = points[face[2]];
+    result[face[3]] += 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+  }
+  EXPECT_EQ(next, bytes.data() + bytes.size());
+  return result;
+}
+
+TEST_F(Program, isolines_divide_a_mesh)
+{
+  const nlohmann::json result =
+      json("isolines square.ply --source-border --isovalues 0.15,0.3 --method exact --divided "
+           "-o divided.ply");
+  EXPECT_EQ(result["lines"], 2);
+  EXPECT_EQ(result["closed"], 2);
+  const nlohmann::json info = json("info divided.ply");
+  EXPECT_EQ(info["vertices"], result["vertices_out"]);
+  EXPECT_EQ(info["faces"], result["faces_out"]);
+  EXPECT_EQ(info["boundary_loops"], 1);
+  EXPECT_NEAR(info["area"].get<double>(), 1., round_off);
+
+  // Diagonals end at the corners of the square, so that the isolines are squares.
+  std::map<std::uint32_t, double> areas = areas_of_ply(read_file(m_folder / "divided.ply"));
+  ASSERT_EQ(areas.size(), 3u);
+  EXPECT_NEAR(areas[1] + areas[2], 0.49, round_off);
+  EXPECT_NEAR(areas[2], 0.16, round_off);
+  EXPECT_NEAR(areas[0] + areas[1] + areas[2], 1., round_off);
+
+  // Faces without value have the largest number.
+  json("isolines apart.off --source 0 --isovalues 0.5 --divided -o apart.ply");
+  areas = areas_of_ply(read_file(m_folder / "apart.ply"));
+  EXPECT_NEAR(areas[0xffffffff], 0.5, round_off);
+  EXPECT_NEAR(areas[0] + areas[1], 0.5, round_off);
+}
+
+TEST_F(Program, isolines_are_drawn_in_the_plane)
+{
+  json("isolines square.ply --source-border --isovalues 0.125,0.25 --method exact -o lines.svg");
+  const std::string svg = read_file(m_folder / "lines.svg");
+  // The data of the paths: the boundary and two closed lines
+  const std::regex path("<path[^>]* d=\"M([^\"]*) Z\"/>"), number("-?[0-9.]+(e-?[0-9]+)?");
+  std::vector<double> lengths;
+  for(std::sregex_iterator i(svg.begin(), svg.end(), path), end; i != end; ++i)
+  {
+    const std::string data = (*i)[1];
+    std::vector<double> x;
+    for(std::sregex_iterator k(data.begin(), data.end(), number); k != end; ++k)
+      x.push_back(std::stod(k->str()));
+    const std::size_t n = x.size();
+    lengths.push_back(0.);
+    for(std::size_t k = 0; k < n; k += 2)
+      lengths.back() += std::hypot(x[(k + 2) % n] - x[k], x[(k + 3) % n] - x[k + 1]);
+  }
+  ASSERT_EQ(lengths.size(), 3u);
+  // A plane is flattened without distortion. Errors of the minimization are measured as 2e-14.
+  EXPECT_NEAR(lengths[0], 4., 1e-12);
+  EXPECT_NEAR(lengths[1], 3., 1e-12);
+  EXPECT_NEAR(lengths[2], 2., 1e-12);
+  EXPECT_NE(svg.find("data-value=\"0.125\""), std::string::npos);
+  EXPECT_NE(svg.find("viewBox"), std::string::npos);
+}
+
 TEST_F(Program, isolines_rejects_invalid_options)
 {
   expect_failure("isolines square.ply", 1, "--property");
@@ -65,6 +146,9 @@ TEST_F(Program, isolines_rejects_invalid_options)
   expect_failure("isolines square.ply --source 81", 2, "81");
   expect_failure("isolines square.ply --source 0 --method nothing", 1, "nothing");
   expect_failure("isolines square.ply --source 0 -o a.off", 1, "a.off");
+  expect_failure("isolines square.ply --source 0 --divided -o a.svg", 1, "a.svg");
+  expect_failure("isolines closed.off --source 0 -o a.svg", 2, "not a disk");
+  expect_failure("isolines apart.off --source 0 -o a.svg", 2, "not a disk");
   expect_failure("isolines square.ply --property wind", 2, "only double_speed");
   expect_failure("isolines closed.off --source-border", 2, "no boundary");
   expect_failure("isolines cloud.xyz --source 0", 2, "triangles of a cloud overlap");

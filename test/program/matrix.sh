@@ -84,6 +84,7 @@ all_of_a_file()
   attempt "$file" $limit distance --source-at 0,0,0 --limit 0.1 || failed=1
   attempt "$file" $limit distance --source-border || failed=1
   attempt "$file" $limit isolines --source 0 || failed=1
+  attempt "$file" $limit isolines --source 0 --divided || failed=1
   attempt "$file" $limit loops || failed=1
   attempt "$file" $limit loops --through 0 || failed=1
   attempt "$file" $limit path --from 1 --to 2 || failed=1

@@ -11,9 +11,7 @@
 #include <CGAL/Geodesic_processing/semi_regular_remeshing.h>
 
 #include <functional>
-#include <map>
 #include <string>
-#include <utility>
 
 namespace program {
 
@@ -99,29 +97,13 @@ Surface_file divided_file(const Base_mesh& base)
   return result;
 }
 
-// Draws each base face in its own color. Vertices are duplicated per base face, because colors are
-// stored at vertices.
+// Draws each base face in its own color.
 void draw_base_mesh(const std::string& filename, const Base_mesh& base, bool show_edges)
 {
-  Surface_file regions;
-  Picture picture{&regions};
+  Picture picture;
+  const Surface_file regions = separate_regions(divided_file(base), base.region, picture.labels);
+  picture.surface = &regions;
   picture.show_edges = show_edges;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
-      vertex_index; // by base face and vertex
-  for(std::size_t corner = 0; corner < base.fine.corner.size(); ++corner)
-  {
-    const auto face = base.region[corner / 3], vertex = base.fine.corner[corner];
-    const auto [entry, is_new] =
-        vertex_index.try_emplace({face, vertex}, static_cast<std::uint32_t>(regions.points.size()));
-    if(is_new)
-    {
-      regions.points.push_back(to_point(base.fine, vertex));
-      picture.labels.push_back(static_cast<long long>(face));
-    }
-    regions.corners.push_back(entry->second);
-    if(corner % 3 == 2)
-      regions.polygon_begin.push_back(regions.corners.size());
-  }
   for(const auto& path : base.path)
   {
     picture.thin_polylines.emplace_back();

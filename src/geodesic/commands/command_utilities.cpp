@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numeric>
 #include <unordered_set>
 #include <utility>
@@ -219,6 +221,32 @@ double report_distances(Job& job, const std::vector<double>& distances)
     job.print_line("unreached         " + std::to_string(unreached) + " of " +
                    std::to_string(distances.size()));
   return largest_distance;
+}
+
+Surface_file separate_regions(const Surface_file& mesh,
+                              const std::vector<std::uint32_t>& face_labels,
+                              std::vector<long long>& vertex_labels)
+{
+  Surface_file result;
+  vertex_labels.clear();
+  // The index of each label and vertex
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> index;
+  for(std::size_t corner = 0; corner < mesh.corners.size(); ++corner)
+  {
+    const std::uint32_t label = face_labels[corner / 3], vertex = mesh.corners[corner];
+    const auto [entry, is_new] =
+        index.try_emplace({label, vertex}, static_cast<std::uint32_t>(result.points.size()));
+    if(is_new)
+    {
+      result.points.push_back(mesh.points[vertex]);
+      vertex_labels.push_back(
+          label == std::numeric_limits<std::uint32_t>::max() ? -1 : static_cast<long long>(label));
+    }
+    result.corners.push_back(entry->second);
+    if(corner % 3 == 2)
+      result.polygon_begin.push_back(result.corners.size());
+  }
+  return result;
 }
 
 void write_polylines(const Job& job, std::vector<std::vector<Point>> polylines)

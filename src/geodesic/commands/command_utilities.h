@@ -227,6 +227,13 @@ std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t num
 // Returns the vertices and faces of a mesh.
 Surface_file to_file(const Mesh& mesh);
 
+// Returns a copy of a mesh in which faces of different labels have no vertex in common, because
+// pictures store colors at vertices. `vertex_labels` is set to the labels of its vertices. The
+// largest face label, which means "no label", becomes -1.
+Surface_file separate_regions(const Surface_file& mesh,
+                              const std::vector<std::uint32_t>& face_labels,
+                              std::vector<long long>& vertex_labels);
+
 // Returns the coordinates of a range of points.
 template <typename Points>
 std::vector<Point> coordinates_of(const Points& points)

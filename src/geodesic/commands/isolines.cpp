@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Output_file.h"
+#include "io/write_surface_file.h"
+#include "io/write_svg.h"
 #include "picture/Picture.h"
 #include "readers/Scanner.h"
 #include "app/commands.h"
@@ -9,11 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace program {
 
 namespace {
+
+using UV = std::array<double, 2>;
 
 struct Isoline_options
 {
@@ -25,14 +30,22 @@ struct Isoline_options
   Speed_options speed_options;
   std::string isovalues; // "V,V,..."
   std::size_t number = 10;
+  bool is_divided = false;
+
+  // Distances from boundaries and travel times are not distances from points.
+  bool do_fit_circles() const
+  {
+    return property.empty() && !use_boundary && !speed_options.is_given();
+  }
 };
 
 struct Isoline_result
 {
   std::vector<double> values; // #vertices
-  std::vector<std::vector<Point>> lines;
-  std::size_t number_of_closed = 0;
-  double length = 0.;
+  std::vector<double> isovalues;
+  std::vector<GP::Isoline<Mesh>> lines;
+  // With --divided, the mesh that is split along the lines, with the face number "label"
+  Surface_file divided;
 };
 
 bool has_sources(const Isoline_options& options)
@@ -98,20 +111,96 @@ Isoline_result find_isolines(const Mesh_domain& domain, const Isoline_options& o
   else
     result.values = property(job.surface(), options.property);
   job.begin_stage("query");
-  // Distances from boundaries and travel times are not distances from points.
-  const bool do_fit_circles =
-      options.property.empty() && !options.use_boundary && !options.speed_options.is_given();
-  std::vector<GP::Isoline<Mesh>> lines;
-  GP::isolines(domain, Property_map<Mesh::Vertex_index>{&result.values},
-               isovalues_of(options, result.values), std::back_inserter(lines),
-               GP::parameters::do_fit_circles(do_fit_circles));
-  for(const auto& line : lines)
+  result.isovalues = isovalues_of(options, result.values);
+  const Property_map<Mesh::Vertex_index> values{&result.values};
+  const auto np = GP::parameters::do_fit_circles(options.do_fit_circles());
+  GP::isolines(domain, values, result.isovalues, std::back_inserter(result.lines), np);
+  if(options.is_divided)
   {
-    result.lines.push_back(coordinates_of(line.points));
-    result.number_of_closed += line.is_closed;
-    result.length += line.length;
+    Mesh mesh;
+    const auto label = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:label").first;
+    GP::split_at_isolines(domain, values, result.isovalues, mesh, label, np);
+    result.divided = to_file(mesh);
+    for(const Mesh::Face_index face : mesh.faces())
+      result.divided.face_numbers["label"].push_back(static_cast<std::uint32_t>(label[face]));
   }
   return result;
+}
+
+void report(Job& job, const Isoline_result& result)
+{
+  std::size_t number_of_closed = 0;
+  double length = 0.;
+  for(const auto& line : result.lines)
+  {
+    number_of_closed += line.is_closed;
+    length += line.length;
+  }
+  job.result()["lines"] = result.lines.size();
+  job.result()["closed"] = number_of_closed;
+  job.result()["length"] = json_number(length);
+  job.print_line("lines           " + std::to_string(result.lines.size()) + ", " +
+                 std::to_string(number_of_closed) + " closed");
+  job.print_line("length          " + rounded_text(length));
+}
+
+// Returns an SVG image of the isolines on the flattened mesh, which must be a disk.
+std::string flattened_svg(const Mesh_domain& domain, const Isoline_result& result, Job& job)
+{
+  job.begin_stage("query");
+  std::vector<UV> uv(job.surface().file.points.size());
+  const Value_map<Mesh::Vertex_index, UV> uv_map = {&uv};
+  GP::geodesic_lle(
+      domain, uv_map,
+      GP::parameters::random_seed(job.seed()).callback(job.progress_callback("flattening")));
+  GP::minimize_distortion(domain, uv_map,
+                          GP::parameters::callback(job.progress_callback("distortion")));
+
+  const Mesh& mesh = domain.mesh();
+  const auto is_boundary = [&](Mesh::Halfedge_index h) { return mesh.is_border(h); };
+  const auto halfedges = mesh.halfedges();
+  // The boundary of the mesh is on the left of its boundary halfedges.
+  const auto first = *std::find_if(halfedges.begin(), halfedges.end(), is_boundary);
+  std::vector<UV> boundary = {uv[mesh.source(first)]};
+  for(auto h = first; boundary.size() == 1 || h != first; h = mesh.next(h))
+    boundary.push_back(uv[mesh.target(h)]);
+
+  std::vector<Planar_line> lines;
+  for(const auto& line : result.lines)
+  {
+    lines.push_back({{}, line.is_closed, line.value});
+    for(const auto& [face, barycentric] : line.locations)
+    {
+      UV p = {0., 0.};
+      auto h = mesh.halfedge(face);
+      for(std::size_t k = 0; k < 3; ++k, h = mesh.next(h))
+        for(std::size_t i = 0; i < 2; ++i)
+          p[i] += barycentric[k] * uv[mesh.source(h)][i];
+      lines.back().points.push_back(p);
+    }
+  }
+  return to_svg(lines, boundary);
+}
+
+void draw_isolines(const Job& job, const Isoline_options& options, const Isoline_result& result,
+                   const std::vector<std::vector<Point>>& lines)
+{
+  Picture picture{&job.surface().file};
+  Surface_file regions;
+  if(options.is_divided)
+  {
+    regions =
+        separate_regions(result.divided, result.divided.face_numbers.at("label"), picture.labels);
+    picture.surface = &regions;
+  }
+  else
+  {
+    picture.values = result.values;
+    picture.title = options.property.empty() ? "distance" : options.property;
+    picture.show_isolines = false;
+  }
+  picture.thin_polylines = lines;
+  draw(job.picture(), picture);
 }
 
 void check(const Isoline_options& options)
@@ -134,38 +223,53 @@ void check(const Isoline_options& options)
                       ": finite numbers that are separated by commas are required.");
 }
 
+// Throws Input_error unless the mesh is a disk, which can be flattened.
+void check_disk(const Surface& surface)
+{
+  const GP::Soup_report& report = surface.domain->report();
+  if(!report.is_manifold() || report.number_of_components != 1 || report.genus != 0 ||
+     report.number_of_boundary_cycles != 1)
+    fail(surface.name, "it is not a disk, which an image in the plane (.svg) requires");
+}
+
 void run_isolines(Job& job, const Isoline_options& options)
 {
   check(options);
-  const Surface& surface = job.read({"vtp", "ply", "obj"});
+  const Surface& surface = options.is_divided ? job.read() : job.read({"vtp", "ply", "obj", "svg"});
   if(!surface.is_mesh())
     fail(surface.name, "isolines need a mesh, because the triangles of a cloud overlap");
+  const bool is_svg = file_extension(job.output()) == "svg";
+  if(is_svg)
+    check_disk(surface);
   check_method(options.method, surface);
   if(!options.source.empty())
     for(const std::size_t vertex : parse_indices(options.source, "--source"))
       check_vertex(surface, vertex);
 
   job.begin_stage("prepare");
-  const Isoline_result result = find_isolines(*surface.domain, options, job);
-  job.result()["lines"] = result.lines.size();
-  job.result()["closed"] = result.number_of_closed;
-  job.result()["length"] = json_number(result.length);
-  job.print_line("lines           " + std::to_string(result.lines.size()) + ", " +
-                 std::to_string(result.number_of_closed) + " closed");
-  job.print_line("length          " + rounded_text(result.length));
+  const Mesh_domain& domain = *surface.domain;
+  const Isoline_result result = find_isolines(domain, options, job);
+  report(job, result);
+  if(options.is_divided)
+  {
+    job.report("vertices_out", result.divided.points.size());
+    job.report("faces_out", result.divided.number_of_polygons());
+  }
+  const std::string svg = is_svg ? flattened_svg(domain, result, job) : "";
 
   job.begin_stage("write");
   job.write_values([&] { return number_lines(result.values); });
+  std::vector<std::vector<Point>> lines;
+  for(const auto& line : result.lines)
+    lines.push_back(coordinates_of(line.points));
   if(!job.picture().empty())
-  {
-    Picture picture{&surface.file};
-    picture.values = result.values;
-    picture.title = options.property.empty() ? "distance" : options.property;
-    picture.show_isolines = false;
-    picture.thin_polylines = result.lines;
-    draw(job.picture(), picture);
-  }
-  write_polylines(job, result.lines);
+    draw_isolines(job, options, result, lines);
+  if(is_svg)
+    write_file(job.output(), svg);
+  else if(!options.is_divided)
+    write_polylines(job, lines);
+  else if(!job.output().empty())
+    write_surface_file(job.output(), result.divided);
   job.finish();
 }
 
@@ -177,7 +281,9 @@ void add_isolines(CLI::App& program)
                   "compute isolines of a vertex property, or of the distance from sources: offset "
                   "curves");
   const auto job = std::make_shared<Job>(command);
-  command.describe("--output", "write the isolines: .ply .obj .vtp");
+  command.describe("--output",
+                   "write the isolines: .ply .obj .vtp, or .svg of the flattened mesh, which must "
+                   "be a disk");
   const auto options = std::make_shared<Isoline_options>();
   command.add("--property", options->property, "NAME", "vertex property of the file");
   command.add("--source", options->source, "V[,V...]", "indices of source vertices");
@@ -194,6 +300,9 @@ void add_isolines(CLI::App& program)
            "without --isovalues: number of values, with equal spacing between the smallest and the "
            "largest value")
       .shows_default();
+  command.add_flag("--divided", options->is_divided,
+                   "write and draw the mesh, split along the isolines; the property label is the "
+                   "number of isovalues that are at most the values of the face");
   add_speed_options(command, options->speed_options);
   command.set_callback([job, options] { run_isolines(*job, *options); });
 }
