@@ -29,8 +29,8 @@ for argument in "$@"; do
   esac
 done
 [ ${#programs[@]} -gt 0 ] ||
-  programs=(accuracy error_distribution speed inputs soups exact sampling remeshing cloud_errors surfels
-            surfel_scans logmap distortion decal flattening base wavelets transport transport_bounds
+  programs=(accuracy error_distribution speed inputs soups isolines exact sampling remeshing
+            cloud_errors surfels surfel_scans logmap distortion decal flattening base wavelets transport transport_bounds
             transport_family transport_claims transport_times regions flows barycenters means
             volumes)
 
