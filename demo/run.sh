@@ -229,6 +229,8 @@ program()
 echo "Computing pictures"
 picture distance "Geodesic distance from one vertex (isolines at round values)" \
   distance "$animal" --source 0
+picture isolines "Mesh split along isolines of the distance from one vertex, with the labels of its faces" \
+  isolines "$animal" --source 0 --number 11 --divided
 picture heat "Distance from one vertex, approximated by the heat method" \
   distance "$animal" --source 0 --method heat
 picture near "Distance from three vertices, computed up to a maximum distance" \
