@@ -30,9 +30,9 @@ for argument in "$@"; do
 done
 [ ${#programs[@]} -gt 0 ] ||
   programs=(accuracy error_distribution speed inputs soups isolines exact sampling remeshing
-            cloud_errors surfels surfel_scans logmap distortion decal flattening base wavelets transport transport_bounds
-            transport_family transport_claims transport_times regions flows barycenters means
-            volumes)
+            cloud_errors surfels surfel_scans logmap distortion decal flattening base wavelets
+            transport transport_bounds transport_family transport_claims transport_times regions
+            flows barycenters means volumes)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
