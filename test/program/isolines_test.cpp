@@ -29,6 +29,8 @@ TEST_F(Program, isolines_of_corner_distance_are_quarter_circles)
   EXPECT_GE(lines["length"].get<double>(), 0.985 * length);
   EXPECT_EQ(numbers("d.txt").size(), 81u);
   EXPECT_NE(read_file(m_folder / "lines.obj").find("\nl "), std::string::npos);
+  json("isolines square.ply --source 0 --isovalues 0.25,0.5 -o lines.ply");
+  EXPECT_NE(read_file(m_folder / "lines.ply").find("\nelement edge "), std::string::npos);
 
   // Ten values by default. The largest distance is that of the opposite corner.
   EXPECT_EQ(json("isolines square.ply --source-at 0,0,0")["lines"], 10);
