@@ -22,8 +22,8 @@ namespace {
 // Upper bounds of the distances between pairs of vertices of a component, by the triangle
 // inequality from known distances.
 //
-// Vertices have numbers 0..n-1. The nodes of a binary tree are intervals of numbers. As vertices are
-// in Morton order, an interval is a compact region.
+// Vertices have numbers 0..n-1. The nodes of a binary tree are intervals of numbers. As vertices
+// are in Morton order, an interval is a compact region.
 class Pair_bounds
 {
 public:
@@ -52,8 +52,8 @@ public:
     ++m_number_of_samples;
   }
 
-  // Returns a pair whose bound is the largest one, if that exceeds the threshold. Otherwise, returns
-  // a bound of all pairs. Thresholds must not decrease between calls.
+  // Returns a pair whose bound is the largest one, if that exceeds the threshold. Otherwise,
+  // returns a bound of all pairs. Thresholds must not decrease between calls.
   Pair largest(double threshold)
   {
     while(!m_frontier.empty() && m_frontier.top().bound > threshold)
@@ -279,8 +279,8 @@ double bound_component_diameter(const std::vector<Index>& vertices, const Diamet
     queries.report(threshold, pair.bound);
     if(is_queried[pair.u])
       std::swap(pair.u, pair.v);
-    // The bound of a pair with a known distance cannot decrease. It can exceed the threshold only by
-    // the errors of thin triangles.
+    // The bound of a pair with a known distance cannot decrease. It can exceed the threshold only
+    // by the errors of thin triangles.
     if(pair.bound <= threshold || queries.is_exhausted() || is_queried[pair.u])
       return pair.bound;
     const Index farthest = query(pair.u);
@@ -294,8 +294,8 @@ double bound_component_diameter(const std::vector<Index>& vertices, const Diamet
   }
 }
 
-// Bounds the radius of one component, whose center is the vertex of the upper bound. `known_lower` is
-// the largest lower bound of the components until now.
+// Bounds the radius of one component, whose center is the vertex of the upper bound. `known_lower`
+// is the largest lower bound of the components until now.
 Radius_bounds bound_component_radius(const std::vector<Index>& vertices,
                                      const Diameter_options& options, double known_lower,
                                      Vertex_queries& queries)

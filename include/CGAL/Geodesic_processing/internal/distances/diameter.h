@@ -14,8 +14,8 @@
 // Bounds of the diameter and of the radius of a mesh by exact distances from few vertices.
 //
 // The eccentricity of a vertex is the largest distance to a vertex of its component. The diameter
-// of a component is the largest eccentricity of its vertices, and its radius the smallest one. Those
-// of a mesh are the largest ones of its components. Vertices without triangles are ignored.
+// of a component is the largest eccentricity of its vertices, and its radius the smallest one.
+// Those of a mesh are the largest ones of its components. Vertices without triangles are ignored.
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -48,14 +48,14 @@ struct Radius_bounds
 // Bounds the diameter of a mesh.
 //
 // For a vertex s whose distances are known, d(u, v) <= d(s, u) + d(s, v). The largest minimum of
-// this sum over all s is the upper bound. A branch-and-bound search over pairs of nodes of a tree of
-// vertices finds it without visiting all pairs. The next distances are computed from an end of the
-// pair with the largest bound, and from the midpoint of a shortest path that starts there: the bound
-// is exact for all pairs with a shortest path through the midpoint, and its error for other pairs is
-// of second order in the distance of the midpoint from their path.
+// this sum over all s is the upper bound. A branch-and-bound search over pairs of nodes of a tree
+// of vertices finds it without visiting all pairs. The next distances are computed from an end of
+// the pair with the largest bound, and from the midpoint of a shortest path that starts there: the
+// bound is exact for all pairs with a shortest path through the midpoint, and its error for other
+// pairs is of second order in the distance of the midpoint from their path.
 //
-// Takes one exact query for each number_of_queries, and 16 bytes per vertex for each of them. Throws
-// as Window_propagation, and Unsupported_surface_error if the mesh has no triangle.
+// Takes one exact query for each number_of_queries, and 16 bytes per vertex for each of them.
+// Throws as Window_propagation, and Unsupported_surface_error if the mesh has no triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Diameter_bounds bound_diameter(const std::shared_ptr<const Surface_arrays>& triangles,
                                const Diameter_options& options = {});
@@ -64,8 +64,8 @@ Diameter_bounds bound_diameter(const std::shared_ptr<const Surface_arrays>& tria
 //
 // For a vertex s whose distances and eccentricity e(s) are known, e(v) >= d(s, v) and
 // e(v) >= e(s) - d(s, v). The next distances are computed from the vertex with the smallest lower
-// bound, and from the vertex farthest from it. Takes one exact query for each number_of_queries, and
-// 8 bytes per vertex. Throws as bound_diameter().
+// bound, and from the vertex farthest from it. Takes one exact query for each number_of_queries,
+// and 8 bytes per vertex. Throws as bound_diameter().
 CGAL_GEODESIC_PROCESSING_EXPORT
 Radius_bounds bound_radius(const std::shared_ptr<const Surface_arrays>& triangles,
                            const Diameter_options& options = {});
