@@ -34,11 +34,14 @@
 #include <CGAL/Geodesic_processing/feature_distance.h>
 #include <CGAL/Geodesic_processing/fill_holes.h>
 #include <CGAL/Geodesic_processing/fuzzy_geodesic.h>
+#include <CGAL/Geodesic_processing/geodesic_ball.h>
 #include <CGAL/Geodesic_processing/geodesic_barycenter.h>
 #include <CGAL/Geodesic_processing/geodesic_base_mesh.h>
 #include <CGAL/Geodesic_processing/geodesic_centroidal_tessellation.h>
+#include <CGAL/Geodesic_processing/geodesic_curves.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_derivatives.h>
+#include <CGAL/Geodesic_processing/geodesic_diameter.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_lle.h>

@@ -22,9 +22,17 @@
          "The local triangles of a cloud change if surfels move: use a mesh.")                     \
   MESHES(isolines, "The triangles of a cloud overlap: lines on them cross.")                       \
   MESHES(split_at_isolines, "The triangles of a cloud overlap: they cannot be cut.")               \
+  MESHES(geodesic_ball, "The triangles of a cloud overlap: they cannot be cut.")                   \
+  BOTH(geodesic_eccentricity)                                                                      \
+  MESHES(geodesic_diameter, "Bounds need exact distances, which need a mesh.")                     \
+  MESHES(geodesic_radius, "Bounds need exact distances, which need a mesh.")                       \
   BOTH(geodesic_path)                                                                              \
   BOTH(Geodesic_path_finder)                                                                       \
   BOTH(shorten_polyline)                                                                           \
+  MESHES(geodesic_bezier_curve,                                                                    \
+         "Paths on a cloud end at projections of their ends: subdivision would add these errors.") \
+  MESHES(geodesic_spline,                                                                          \
+         "Paths on a cloud end at projections of their ends: subdivision would add these errors.") \
   BOTH(geodesic_polyline)                                                                          \
   MESHES(shorten_loop, "The triangles of a cloud overlap: loops on them have no homotopy class.")  \
   MESHES(loop_basis, "The triangles of a cloud overlap: it has no genus.")                         \

@@ -111,6 +111,9 @@ namespace CGAL::Geodesic_processing {
   NAME(subdivision_scheme)                                                                         \
   NAME(level_map)                                                                                  \
   NAME(number_of_levels)                                                                           \
+  NAME(number_of_subdivisions)                                                                     \
+  NAME(degree)                                                                                     \
+  NAME(is_closed)                                                                                  \
   NAME(wavelet_prediction)                                                                         \
   NAME(do_update)                                                                                  \
   NAME(do_use_frames)                                                                              \
