@@ -86,6 +86,10 @@ CALL(isolines, std::vector<GP::Isoline<Plain>> lines;
 CALL(split_at_isolines,
      GP::split_at_isolines(surface, T::template map<double>(), std::vector<double>(), output,
                            map_of<Mesh::Face_index, std::size_t>()))
+CALL(geodesic_ball, GP::geodesic_ball(surface, p, 1.); GP::geodesic_ball(surface, location, 1.))
+CALL(geodesic_eccentricity, GP::geodesic_eccentricity(surface, p))
+CALL(geodesic_diameter, GP::geodesic_diameter(surface))
+CALL(geodesic_radius, GP::geodesic_radius(surface))
 CALL(geodesic_path, GP::geodesic_path(surface, location, p))
 CALL(Geodesic_path_finder, GP::Geodesic_path_finder<Plain>{surface}(p, location))
 CALL(shorten_polyline, GP::shorten_polyline(surface, vertices);
@@ -96,6 +100,8 @@ CALL(shorten_loop, GP::shorten_loop(surface, vertices);
 CALL(loop_basis, std::vector<GP::Geodesic_loop<Plain>> loops;
      GP::loop_basis(surface, std::back_inserter(loops)))
 CALL(shortest_noncontractible_loop, GP::shortest_noncontractible_loop(surface, location))
+CALL(geodesic_bezier_curve, GP::geodesic_bezier_curve(surface, vertices))
+CALL(geodesic_spline, GP::geodesic_spline(surface, vertices))
 CALL(straightest_geodesic, GP::straightest_geodesic(surface, p, Vector(), 1.))
 CALL(surfel_geodesic_path, GP::surfel_geodesic_path(surface, p, location))
 CALL(Surfel_path_finder,

@@ -87,6 +87,10 @@ all_of_a_file()
   attempt "$file" $limit isolines --source 0 --divided || failed=1
   attempt "$file" $limit loops || failed=1
   attempt "$file" $limit loops --through 0 || failed=1
+  attempt "$file" $limit ball --source 0 --source-at 0.1,0.2,0.3 --radius 0.2 || failed=1
+  attempt "$file" $limit diameter --tolerance 0.1 --iterations 10 --radius || failed=1
+  attempt "$file" $limit curve --points 0,1,2 || failed=1
+  attempt "$file" $limit curve --points 0,1,2 --spline --closed || failed=1
   attempt "$file" $limit path --from 1 --to 2 || failed=1
   attempt "$file" $limit path --from 1 --to-at 0.3,0.2,0.1 || failed=1
   attempt "$file" $limit surfels --estimate --outliers 1 || failed=1

@@ -193,6 +193,13 @@ TEST_F(Program, json_has_documented_keys)
   expect_keys("distance cloud.xyz --source 0", {"max", "unreached"});
   expect_keys("isolines square.ply --source 0", {"lines", "closed", "length"});
   expect_keys("loops square.ply", {"loops", "lengths", "length"});
+  expect_keys("ball square.ply --source 40 --radius 0.3",
+              {"area", "faces_inside", "circles", "length"});
+  expect_keys("diameter square.ply", {"lower", "upper", "from", "to", "converged", "iterations"});
+  expect_keys("diameter square.ply --radius",
+              {"lower", "upper", "from", "to", "converged", "iterations", "radius_lower",
+               "radius_upper", "center", "radius_converged", "radius_iterations"});
+  expect_keys("curve square.ply --points 0,8,80", {"length", "points"});
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "lower", "points"});
   expect_keys("path cloud.xyz --from 0 --to 143",
               {"length", "front_distance", "lower", "points", "start_length"});

@@ -46,7 +46,7 @@ std::vector<Index> vertices_of_ball(const Domain& domain, const Solver& solver,
 {
   const Surface_arrays& t = *domain.triangles();
   std::vector<Index> faces;
-  for(const auto vertex : solver.reached())
+  for(const auto& vertex : solver.reached())
   {
     const Index v = domain.index(vertex);
     for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)

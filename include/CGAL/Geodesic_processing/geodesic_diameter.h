@@ -109,7 +109,7 @@ geodesic_eccentricity(const Surface& surface, const Sources& sources,
   solver.compute(sources, np);
   Geodesic_eccentricity<Surface_of<Surface>> result;
   bool is_first = true;
-  for(const auto vertex : solver.reached())
+  for(const auto& vertex : solver.reached())
   {
     const double distance = solver.distance(vertex);
     if(distance < internal::infinity && (is_first || distance > result.value))

@@ -14,8 +14,11 @@ namespace program {
 void add_info(CLI::App& program);
 void add_distance(CLI::App& program);
 void add_isolines(CLI::App& program);
+void add_ball(CLI::App& program);
+void add_diameter(CLI::App& program);
 void add_path(CLI::App& program);
 void add_loops(CLI::App& program);
+void add_curve(CLI::App& program);
 void add_logmap(CLI::App& program);
 void add_decal(CLI::App& program);
 void add_flatten(CLI::App& program);
