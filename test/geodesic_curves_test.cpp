@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
 
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include "Mesh_of.h"
 #include "rough_surfaces.h"
@@ -115,13 +116,13 @@ TEST(geodesic_curves, interpolate_end_points_and_tangents)
 // shorter ones, the corners of the surface itself limit the ratio.
 TEST(geodesic_curves, converge_under_subdivision)
 {
-  std::vector<std::pair<std::string, Triangulation>> surfaces = {
-      {"square", square(12, 0.24)}, {"sphere", icosphere(4)}, {"animal", animal(4)}};
-  add_models(surfaces, {"meshes/cow_2k9.off"});
-  for(const auto& [name, triangulation] : surfaces)
+  std::vector<std::pair<std::string, Mesh>> surfaces = {{"square", mesh_of(square(12, 0.24))},
+                                                        {"sphere", mesh_of(icosphere(4))},
+                                                        {"animal", mesh_of(animal(4))}};
+  add_models(surfaces, {"meshes/kitten_9k.ply"});
+  for(const auto& [name, mesh] : surfaces)
   {
     SCOPED_TRACE(name);
-    const Mesh mesh = mesh_of(triangulation);
     const auto domain = GP::make_domain(mesh);
     const unsigned n = unsigned(num_vertices(mesh));
     const std::vector<Vertex> control = {Vertex(n / 7), Vertex(n / 3), Vertex(n / 2)};
