@@ -30,7 +30,7 @@ std::optional<Vec2> point_at_distances(const std::array<Vec2, 3>& corners,
   // Distances of exact windows have relative errors of 1e-12. Those of different windows usually
   // differ by far more than this.
   constexpr double tolerance = 1e-9;
-  if(std::abs(norm({x, y}) - d[0]) > tolerance * (d[0] + base))
+  if(std::abs(norm(Vec2{x, y}) - d[0]) > tolerance * (d[0] + base))
     return {};
   return Vec2{x, y};
 }
