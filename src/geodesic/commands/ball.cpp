@@ -6,6 +6,8 @@
 #include "commands/command_utilities.h"
 #include "io/errors.h"
 
+#include <cmath>
+
 namespace program {
 
 namespace {
@@ -25,7 +27,7 @@ void check(const Ball_options& options)
     parse_indices(options.source, "--source");
   if(!options.source_at.empty())
     parse_point(options.source_at, "--source-at");
-  if(!(options.radius > 0. && options.radius < GP::internal::infinity))
+  if(!(options.radius > 0. && std::isfinite(options.radius)))
     throw Usage_error("ball: --radius must be a positive number.");
 }
 
@@ -37,9 +39,10 @@ std::vector<long long> ball_labels(const Mesh_domain& domain, const GP::Geodesic
   for(const auto face : ball.faces)
     for(std::size_t k = 0; k < 3; ++k)
     {
+      const std::size_t corner = 3 * std::size_t{domain.triangle(face)} + k;
       // Not public: The mesh of a soup, which knows the corners, would be built for this.
-      const auto corner = 3 * std::size_t{domain.triangle(face)} + k;
-      result[std::size_t(domain.vertex(domain.triangles()->corner[corner]))] = 0;
+      const auto vertex = domain.vertex(domain.triangles()->corner[corner]);
+      result[std::size_t(vertex)] = 0;
     }
   return result;
 }
