@@ -308,6 +308,13 @@ picture semiregular-4 "Semi-regular remeshing: each base face is subdivided into
 picture semiregular-quads "Semi-regular remeshing with kept sharp edges: each base face is subdivided into 48 quadrilaterals" \
   semiregular "$part" --number 150 --levels 2 --keep-sharp 40 --quads
 picture path "Shortest path between two vertices" path "$beast" --from 0 --to 5000
+picture ball "Geodesic ball around a vertex, and the circle that bounds it" \
+  ball "$small" --source 691 --radius 0.25
+picture diameter "Distance from an end of the longest shortest path" diameter "$small"
+picture curve "Bezier curve on a mesh, with its control polygon" \
+  curve "$small" --points 691,1766,2200,2278
+picture spline "Closed cubic B-spline on a mesh, with its control polygon" \
+  curve "$small" --points 691,1766,2200,2278 --spline --closed
 picture path-mask "Shortest path on a mesh with boundary" path "$mask" --from 0 --to 1000
 picture logmap "Logarithmic map: geodesic polar coordinates around a point" \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0
