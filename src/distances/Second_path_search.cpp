@@ -48,18 +48,18 @@ bool is_visible(const Window& w, const Vec2& point, double edge_length)
 
 } // namespace
 
-Second_path_search::Second_path_search(const Surface_arrays& triangles,
-                                       const std::vector<bool>& is_pseudo_source,
+Second_path_search::Second_path_search(std::shared_ptr<const Surface_arrays> triangles,
+                                       std::shared_ptr<const std::vector<bool>> is_pseudo_source,
                                        const Surface_location& from, const Surface_location& to,
                                        Lower_bound lower_bound, double max_length)
-    : m_triangles(triangles), m_is_pseudo_source(is_pseudo_source), m_from(from), m_to(to),
-      m_end_vertex(vertex_of(triangles, to)), m_lower_bound(std::move(lower_bound)),
-      m_max_length(max_length)
+    : m_triangles(std::move(triangles)), m_is_pseudo_source(std::move(is_pseudo_source)),
+      m_from(from), m_to(to), m_end_vertex(vertex_of(*m_triangles, to)),
+      m_lower_bound(std::move(lower_bound)), m_max_length(max_length)
 {}
 
 bool Second_path_search::has_path_other_than(const std::vector<Surface_location>& path)
 {
-  const Surface_arrays& t = m_triangles;
+  const Surface_arrays& t = *m_triangles;
   m_strip.clear();
   for(std::size_t i = 1; i + 1 < path.size(); ++i)
     if(const Index vertex = vertex_of(t, path[i]); vertex != none)
@@ -84,8 +84,8 @@ bool Second_path_search::has_path_other_than(const std::vector<Surface_location>
 // Returns the edge that a window crosses, or #halfedges + the vertex of an arrival.
 Index Second_path_search::strip_element(const Node& node) const
 {
-  return node.halfedge != none ? std::min(node.halfedge, m_triangles.twin[node.halfedge])
-                               : Index(m_triangles.corner.size() + node.arrival.origin);
+  return node.halfedge != none ? std::min(node.halfedge, m_triangles->twin[node.halfedge])
+                               : Index(m_triangles->corner.size() + node.arrival.origin);
 }
 
 // Compares a path that reaches the end with the first one.
@@ -102,17 +102,17 @@ void Second_path_search::report(Index node, double length)
 
 void Second_path_search::start()
 {
-  const Index vertex = vertex_of(m_triangles, m_from);
+  const Index vertex = vertex_of(*m_triangles, m_from);
   if(vertex != none)
     return leave_vertex(none, vertex, {0., {1., 0.}, none, vertex});
-  for(const Index triangle : triangles_at(m_triangles, m_from))
+  for(const Index triangle : triangles_at(*m_triangles, m_from))
     leave_triangle(triangle);
 }
 
 // Starts at a location that is not a vertex, through one of its triangles.
 void Second_path_search::leave_triangle(Index triangle)
 {
-  const Surface_arrays& t = m_triangles;
+  const Surface_arrays& t = *m_triangles;
   const auto barycentric = *barycentric_in(t, triangle, m_from);
   const auto corners = unfolded(t, triangle);
   const Vec2 p = unfolded_point(corners, barycentric);
@@ -135,9 +135,9 @@ void Second_path_search::leave_triangle(Index triangle)
 void Second_path_search::emit_window(Index parent, Index h, const Vec2& position, double offset,
                                      double begin, double end)
 {
-  const double length = m_triangles.length[h];
-  if(m_triangles.twin[h] != none)
-    push_window(parent, m_triangles.twin[h],
+  const double length = m_triangles->length[h];
+  if(m_triangles->twin[h] != none)
+    push_window(parent, m_triangles->twin[h],
                 {{length - position[0], std::min(0., -position[1])},
                  offset,
                  length - end,
@@ -148,7 +148,7 @@ void Second_path_search::emit_window(Index parent, Index h, const Vec2& position
 
 void Second_path_search::push_window(Index parent, Index h, const Window& w)
 {
-  const Surface_arrays& t = m_triangles;
+  const Surface_arrays& t = *m_triangles;
   const double length = t.length[h];
   // The distance plus the lower bound by an end of the edge is monotonic along the edge.
   if(w.end - w.begin > merge_tolerance * length &&
@@ -160,7 +160,7 @@ void Second_path_search::push_window(Index parent, Index h, const Window& w)
 
 void Second_path_search::cross_triangle(Index node)
 {
-  const Surface_arrays& t = m_triangles;
+  const Surface_arrays& t = *m_triangles;
   const Index h = m_nodes[node].halfedge, left = previous_halfedge(h), right = next_halfedge(h);
   const Window w = m_nodes[node].window;
   const double base = t.length[h];
@@ -202,7 +202,7 @@ void Second_path_search::visit_vertex(Index parent, Index vertex, const Window_a
 {
   if(vertex == m_end_vertex)
     report(parent, arrival.distance);
-  else if(m_is_pseudo_source[vertex] && arrival.distance + m_lower_bound(vertex) <= m_max_length)
+  else if((*m_is_pseudo_source)[vertex] && arrival.distance + m_lower_bound(vertex) <= m_max_length)
     m_nodes.push_back({parent, none, {}, arrival});
 }
 
@@ -210,7 +210,7 @@ void Second_path_search::visit_vertex(Index parent, Index vertex, const Window_a
 // arrival has no corner, the path starts here.
 void Second_path_search::leave_vertex(Index node, Index vertex, const Window_arrival& arrival)
 {
-  const Surface_arrays& t = m_triangles;
+  const Surface_arrays& t = *m_triangles;
   const Index ring_end = t.ring_begin[vertex + 1];
   for(Index begin = t.ring_begin[vertex], end; begin < ring_end; begin = end)
   {

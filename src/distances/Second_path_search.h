@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/distances/Window_state.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -24,7 +25,8 @@ public:
   using Lower_bound = std::function<double(Index vertex)>;
 
   // The pseudo-sources are those of find_pseudo_sources(). The locations are canonical.
-  Second_path_search(const Surface_arrays& triangles, const std::vector<bool>& is_pseudo_source,
+  Second_path_search(std::shared_ptr<const Surface_arrays> triangles,
+                     std::shared_ptr<const std::vector<bool>> is_pseudo_source,
                      const Surface_location& from, const Surface_location& to,
                      Lower_bound lower_bound, double max_length);
 
@@ -54,8 +56,8 @@ private:
   void push_window(Index parent, Index h, const Window& window);
   void visit_vertex(Index parent, Index vertex, const Window_arrival& arrival);
 
-  const Surface_arrays& m_triangles;
-  const std::vector<bool>& m_is_pseudo_source;
+  std::shared_ptr<const Surface_arrays> m_triangles;
+  std::shared_ptr<const std::vector<bool>> m_is_pseudo_source;
   Surface_location m_from, m_to;
   Index m_end_vertex; // that of m_to, or none
   Lower_bound m_lower_bound;

@@ -64,6 +64,10 @@ bool is_near_vertex(const Surface_arrays& t, const std::vector<Surface_location>
 {
   for(std::size_t i = 1; i + 1 < path.size(); ++i)
   {
+    // In degenerate triangles.
+    if(!(straight_distance(t, path[i - 1], path[i]) > 0. &&
+         straight_distance(t, path[i], path[i + 1]) > 0.))
+      return true;
     if(const Index vertex = vertex_of(t, path[i]); vertex != none)
     {
       if(std::min(angle_ccw(t, vertex, path[i - 1], path[i + 1]),
@@ -80,15 +84,26 @@ bool is_near_vertex(const Surface_arrays& t, const std::vector<Surface_location>
   return false;
 }
 
-// Returns a path without inner points that coincide with an adjacent one in space.
-std::vector<Surface_location> without_repetitions(const Surface_arrays& t,
-                                                  const std::vector<Surface_location>& path)
+// Returns the unit vectors along the segments of a path. A segment of length zero, in a degenerate
+// triangle, has the direction of the previous one, or of the next one if there is none. The vectors
+// are zero if all segments have length zero.
+std::vector<Vec3> directions_along(const Surface_arrays& t,
+                                   const std::vector<Surface_location>& path)
 {
-  std::vector<Surface_location> result;
-  for(const Surface_location& location : path)
-    if(result.empty() || straight_distance(t, result.back(), location) > 0.)
-      result.push_back(location);
-  result.back() = path.back();
+  std::vector<Vec3> result;
+  std::size_t number_of_leading = 0; // segments of length zero
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+    if(straight_distance(t, path[i], path[i + 1]) > 0.)
+      result.push_back(unit(scaled_coordinates(t, path[i + 1]) - scaled_coordinates(t, path[i])));
+    else if(number_of_leading == i)
+    {
+      ++number_of_leading;
+      result.push_back({0., 0., 0.});
+    }
+    else
+      result.push_back(result.back());
+  if(number_of_leading < result.size())
+    std::fill_n(result.begin(), number_of_leading, result[number_of_leading]);
   return result;
 }
 
@@ -97,28 +112,26 @@ std::vector<Surface_location> without_repetitions(const Surface_arrays& t,
 void differentiate(const Surface_arrays& t, const std::vector<Surface_location>& path,
                    Distance_derivatives& result)
 {
+  const std::vector<Vec3> directions = directions_along(t, path);
   std::map<Index, std::size_t> position; // of a vertex in the list of gradients
-  Vec3 incoming = {0., 0., 0.};
   for(std::size_t i = 0; i < path.size(); ++i)
   {
-    Vec3 outgoing = {0., 0., 0.};
-    if(i + 1 < path.size())
-      outgoing = unit(scaled_coordinates(t, path[i + 1]) - scaled_coordinates(t, path[i]));
-    const Vec3 gradient = incoming - outgoing;
+    const Vec3 zero = {0., 0., 0.};
+    const Vec3 gradient =
+        (i > 0 ? directions[i - 1] : zero) - (i < directions.size() ? directions[i] : zero);
     for(Index k = 0; k < 3; ++k)
       if(const double weight = path[i].barycentric[k]; weight > 0.)
       {
         const Index vertex = t.corner[3 * path[i].triangle + k];
         const auto [found, is_new] = position.emplace(vertex, result.vertex_gradients.size());
         if(is_new)
-          result.vertex_gradients.push_back({vertex, {0., 0., 0.}});
+          result.vertex_gradients.push_back({vertex, zero});
         Vec3& sum = result.vertex_gradients[found->second].second;
         sum = sum + weight * gradient;
       }
     if(i == 0)
       result.source_gradient = gradient;
     result.target_gradient = gradient;
-    incoming = outgoing;
   }
 }
 
@@ -142,10 +155,9 @@ Distance_derivatives distance_derivatives(const std::shared_ptr<const Surface_ar
   result.differentiability = Differentiability::coincident;
   if(!(distance > 0.))
     return result;
-  std::vector<Surface_location> path = windows.path(source).locations;
+  const std::vector<Surface_location> path = windows.path(source).locations;
   if(path.empty())
     throw Unsupported_surface_error("Degenerate faces prevent the construction of a path.");
-  path = without_repetitions(t, path);
   if(path.size() < 2)
     return result;
   differentiate(t, path, result);
@@ -157,7 +169,7 @@ Distance_derivatives distance_derivatives(const std::shared_ptr<const Surface_ar
   // Farther vertices may have distances that are not final.
   const auto lower_bound = [&](Index vertex)
   { return (1. - round_off_tolerance) * std::min(windows.distance(vertex), distance); };
-  Second_path_search search(t, *find_pseudo_sources(t), source, target, lower_bound,
+  Second_path_search search(triangles, find_pseudo_sources(t), source, target, lower_bound,
                             distance * (1. + tolerances.second_path));
   result.differentiability = search.has_path_other_than(path) ? Differentiability::second_path
                                                               : Differentiability::differentiable;

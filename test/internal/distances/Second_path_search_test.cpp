@@ -27,8 +27,8 @@ bool has_second_path(const Array_surface& surface, const Surface_location& from,
   const auto path = windows.path(from).locations;
   const auto search = [&](const Second_path_search::Lower_bound& lower_bound)
   {
-    return Second_path_search(t, *find_pseudo_sources(t), canonical(t, from), canonical(t, to),
-                              lower_bound, max_length / surface.scale())
+    return Second_path_search(surface.triangles(), find_pseudo_sources(t), canonical(t, from),
+                              canonical(t, to), lower_bound, max_length / surface.scale())
         .has_path_other_than(path);
   };
   const bool result = search([&](Index v) { return windows.distance(v); });
