@@ -311,10 +311,11 @@ picture path "Shortest path between two vertices" path "$beast" --from 0 --to 50
 picture ball "Geodesic ball around a vertex, and the circle that bounds it" \
   ball "$small" --source 691 --radius 0.25
 picture diameter "Distance from an end of the longest shortest path" diameter "$small"
-picture curve "Bezier curve on a mesh, with its control polygon" \
-  curve "$small" --points 691,1766,2200,2278
-picture spline "Closed cubic B-spline on a mesh, with its control polygon" \
-  curve "$small" --points 691,1766,2200,2278 --spline --closed
+picture curve "Cubic Bezier curve, and the shortest paths of its control polygon" \
+  curve "$cow" --point-at=-.35,.15,.2 --point-at=-.2,-.15,.3 --point-at=0,.3,.2 --point-at=.2,-.1,.3
+picture spline "Closed cubic B-spline, and the shortest paths of its control polygon" \
+  curve "$cow" --point-at=-.3,.15,.3 --point-at=-.15,-.1,.3 --point-at=.05,0,.3 \
+  --point-at=.2,-.15,.3 --point-at=.25,.05,.3 --point-at=0,.15,.3 --spline --closed
 picture path-mask "Shortest path on a mesh with boundary" path "$mask" --from 0 --to 1000
 picture logmap "Logarithmic map: geodesic polar coordinates around a point" \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0
