@@ -109,10 +109,11 @@ std::vector<Vec3> directions_along(const Surface_arrays& t,
 
 // Sets the derivatives of the length of a polyline with constant barycentric coordinates, which
 // begins at the source.
+//
+// directions  #path - 1, those of the segments
 void differentiate(const Surface_arrays& t, const std::vector<Surface_location>& path,
-                   Distance_derivatives& result)
+                   const std::vector<Vec3>& directions, Distance_derivatives& result)
 {
-  const std::vector<Vec3> directions = directions_along(t, path);
   std::map<Index, std::size_t> position; // of a vertex in the list of gradients
   for(std::size_t i = 0; i < path.size(); ++i)
   {
@@ -158,9 +159,10 @@ Distance_derivatives distance_derivatives(const std::shared_ptr<const Surface_ar
   const std::vector<Surface_location> path = windows.path(source).locations;
   if(path.empty())
     throw Unsupported_surface_error("Degenerate faces prevent the construction of a path.");
-  if(path.size() < 2)
+  const std::vector<Vec3> directions = directions_along(t, path);
+  if(directions.empty() || norm(directions[0]) == 0.)
     return result;
-  differentiate(t, path, result);
+  differentiate(t, path, directions, result);
   if(is_near_vertex(t, path, tolerances.vertex))
   {
     result.differentiability = Differentiability::near_vertex;

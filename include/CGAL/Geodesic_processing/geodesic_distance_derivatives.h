@@ -28,7 +28,7 @@ enum class Differentiability
 {
   differentiable, ///< all tests succeed
   unreachable,    ///< no path connects both locations
-  coincident,     ///< both locations are the same point, so that the distance is zero
+  coincident,     ///< both locations are the same point, up to round-off errors
   /// The shortest path is too close to a vertex. It crosses an edge at a distance from one of its
   /// ends that is less than `vertex_tolerance` times the length of the edge. Or it bends at a
   /// vertex, and on one side its angle exceeds \f$ \pi \f$ by less than `vertex_tolerance`. On the
