@@ -178,11 +178,14 @@ public:
   {}
 
   std::size_t number() const { return m_number; }
-  bool is_exhausted() const { return m_number >= m_options.max_number_of_queries; }
+  void begin_component() { m_number_in_component = 0; }
+  // Returns whether the component has had its maximum number of queries.
+  bool is_exhausted() const { return m_number_in_component >= m_options.max_number_of_queries; }
   void run(Index vertex)
   {
     m_windows.run({{{vertex_location(m_triangles, vertex)}, 0., 0}});
     ++m_number;
+    ++m_number_in_component;
   }
   double lower(Index vertex) const { return m_windows.lower(vertex); }
   double upper(Index vertex) const { return m_windows.upper(vertex); }
@@ -199,7 +202,7 @@ private:
   const Surface_arrays& m_triangles;
   Window_propagation m_windows;
   const Diameter_options& m_options;
-  std::size_t m_number = 0;
+  std::size_t m_number = 0, m_number_in_component = 0;
 };
 
 Index Vertex_queries::midpoint(Index to) const
@@ -269,8 +272,7 @@ double bound_component_diameter(const std::vector<Index>& vertices, const Diamet
     return farthest;
   };
 
-  if(queries.is_exhausted())
-    return infinity;
+  queries.begin_component();
   query(0);
   for(;;)
   {
@@ -326,6 +328,7 @@ Radius_bounds bound_component_radius(const std::vector<Index>& vertices,
     return farthest;
   };
 
+  queries.begin_component();
   std::size_t next = 0;
   while(!queries.is_exhausted())
   {

@@ -147,8 +147,8 @@ geodesic_eccentricity(const Surface& surface, const Sources& sources,
 ///     \cgalParamDefault{0.01}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_iterations}
-///     \cgalParamDescription{the maximum number of vertices from which distances are computed,
-///       positive. The bounds are also valid if it is reached}
+///     \cgalParamDescription{the maximum number of vertices of each component from which
+///       distances are computed, positive. The bounds are also valid if it is reached}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{100}
 ///   \cgalParamNEnd
@@ -166,7 +166,7 @@ geodesic_eccentricity(const Surface& surface, const Sources& sources,
 /// \throws Cancelled if the callback returns false
 ///
 /// Takes one exact computation on a component for each iteration; 5 to 15 are usual for a component
-/// and a tolerance of 1 %. Takes 16 bytes per vertex and iteration.
+/// and a tolerance of 1 %. Takes 128 bytes per vertex of a component for each eight iterations.
 template <typename Surface, typename NamedParameters = internal::Default_parameters>
 Geodesic_diameter<Surface_of<Surface>>
 geodesic_diameter(const Surface& mesh, const NamedParameters& np = NamedParameters())

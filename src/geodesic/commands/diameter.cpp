@@ -114,7 +114,7 @@ void add_diameter(CLI::App& program)
       .shows_default();
   command
       .add("--iterations", options->max_iterations, "N",
-           "maximum number of vertices from which distances are computed")
+           "maximum number of vertices of a component from which distances are computed")
       .shows_default();
   command.add_flag("--radius", options->use_radius,
                    "also compute bounds of the smallest eccentricity, and a center");

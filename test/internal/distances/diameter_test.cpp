@@ -127,6 +127,14 @@ TEST(diameter, is_the_largest_one_of_the_components)
   const Diameter_bounds bounds = bound_diameter(surface.triangles(), with_tolerance(0.));
   EXPECT_NEAR(surface.scale() * bounds.lower, 2. * std::sqrt(2.), round_off);
   EXPECT_NEAR(surface.scale() * bounds.upper, 2. * std::sqrt(2.), round_off);
+  // With one query in each component, the bounds are finite.
+  Diameter_options one_query;
+  one_query.max_number_of_queries = 1;
+  const Diameter_bounds coarse = bound_diameter(surface.triangles(), one_query);
+  EXPECT_EQ(coarse.number_of_queries, 2u);
+  EXPECT_GE(coarse.upper, bounds.upper);
+  EXPECT_LE(coarse.upper, 2. * bounds.upper * (1. + round_off));
+  EXPECT_LT(bound_radius(surface.triangles(), one_query).upper, infinity);
   const Array_surface alone(large);
   EXPECT_NEAR(surface.scale() * bound_radius(surface.triangles(), with_tolerance(0.)).upper,
               alone.scale() * bound_radius(alone.triangles(), with_tolerance(0.)).upper, round_off);
