@@ -55,9 +55,9 @@ struct Radius_bounds
 // bound is exact for all pairs with a shortest path through the midpoint, and its error for other
 // pairs is of second order in the distance of the midpoint from their path.
 //
-// Takes one exact query for each number_of_queries, and 128 bytes per vertex of a component for each
-// eight queries in it. Throws as Window_propagation, and Unsupported_surface_error if the mesh has
-// no triangle.
+// Takes one exact query for each number_of_queries, and 128 bytes per vertex of a component for
+// each eight queries in it. Throws as Window_propagation, and Unsupported_surface_error if the mesh
+// has no triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Diameter_bounds bound_diameter(const std::shared_ptr<const Surface_arrays>& triangles,
                                const Diameter_options& options = {});
