@@ -236,6 +236,7 @@ const std::map<std::string, std::string> functions_without_reference = {
     {"flattening_distortion(", "sums measures, which have references"},
     {"geodesic_barycenter(", "sums distances, whose methods have references"},
     {"geodesic_distance_matrix(", "computes distances, whose methods have references"},
+    {"geodesic_eccentricity(", "compares distances, whose methods have references"},
     {"sparse_geodesic_distance_matrix(", "computes distances, whose methods have references"},
     {"geodesic_voronoi_diagram(", "compares distances, whose methods have references"},
     {"geodesic_voronoi_cells(", "splits faces by geodesic_voronoi_diagram()"},
