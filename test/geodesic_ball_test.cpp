@@ -90,7 +90,8 @@ TEST(geodesic_ball, is_cut_by_the_boundary)
   EXPECT_EQ(GP::geodesic_ball(mesh, Vertex(0), 0.).area, 0.);
 }
 
-// The balls do not overlap, and no face of a circle has a corner that is closer to the other source.
+// The balls do not overlap, and no face of a circle has a corner that is closer to the other
+// source.
 TEST(geodesic_ball, of_two_sources_is_the_union)
 {
   const Mesh mesh = mesh_of(square(12, 0.2));

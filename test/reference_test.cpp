@@ -237,6 +237,7 @@ const std::map<std::string, std::string> functions_without_reference = {
     {"geodesic_barycenter(", "sums distances, whose methods have references"},
     {"geodesic_distance_matrix(", "computes distances, whose methods have references"},
     {"geodesic_eccentricity(", "compares distances, whose methods have references"},
+    {"geodesic_distance_derivatives(", "differentiates the length of a polyline"},
     {"sparse_geodesic_distance_matrix(", "computes distances, whose methods have references"},
     {"geodesic_voronoi_diagram(", "compares distances, whose methods have references"},
     {"geodesic_voronoi_cells(", "splits faces by geodesic_voronoi_diagram()"},

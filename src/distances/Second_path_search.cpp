@@ -18,8 +18,8 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 constexpr std::size_t max_nodes = std::size_t(1) << 20;
-// A line that misses a window by this fraction of its edge, or a direction by this angle, passes it:
-// paths through vertices must not be lost between the windows on their two sides.
+// A line that misses a window by this fraction of its edge, or a direction by this angle, passes
+// it: paths through vertices must not be lost between the windows on their two sides.
 constexpr double visibility_tolerance = 1e-9;
 
 // The directions of a fan of corners that continue a path, as intervals of polar angles.
@@ -35,7 +35,8 @@ bool contains(const Direction_intervals& intervals, double angle)
                      });
 }
 
-// Returns whether the line from the source of a window to a point above its edge crosses the window.
+// Returns whether the line from the source of a window to a point above its edge crosses the
+// window.
 bool is_visible(const Window& w, const Vec2& point, double edge_length)
 {
   const double height = point[1] - w.source[1];

@@ -57,8 +57,8 @@ double angle_ccw(const Surface_arrays& t, Index vertex, const Surface_location& 
   return infinity;
 }
 
-// Returns whether a path passes a vertex so closely, or bends at it by so little, that small motions
-// can change the edges that it crosses.
+// Returns whether a path passes a vertex so closely, or bends at it by so little, that small
+// motions can change the edges that it crosses.
 bool is_near_vertex(const Surface_arrays& t, const std::vector<Surface_location>& path,
                     double tolerance)
 {
