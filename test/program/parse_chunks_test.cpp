@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <unistd.h>
+
 namespace parse_chunks_test {
 
 using program::Surface_file;
@@ -66,10 +68,11 @@ Result read(const std::string& filename, unsigned number_of_threads)
 }
 
 // Compares the results of several threads with those of one. The text has more than 2^21
-// bytes.
-void expect_equal_results(const std::string& name, const std::string& text)
+// bytes. Other processes run other tests, so that the file has the name of the test.
+void expect_equal_results(const std::string& extension, const std::string& text)
 {
-  const std::string filename = testing::TempDir() + name;
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name(),
+                    filename = testing::TempDir() + test + std::to_string(getpid()) + extension;
   std::ofstream(filename, std::ios::binary) << text;
   const Result expected = read(filename, 1);
   for(const unsigned number_of_threads : {2u, 5u})
@@ -103,18 +106,18 @@ TEST(Read_with_threads, obj_does_not_depend_on_their_number)
                     with_colors = "v 1 2 3 0 .5 1\nf 1 1 1\n";
   for(const char* line : {"", "\r\n", "f -1 -2 -3\n", "f 1 2 \\\n3\n", "f 1//1 2//1 3//1\n",
                           "f 0 1 2\n", "v 0 nan 0\n", "v 1 2 3 1 0 0\n"})
-    expect_equal_results("threads.obj", text_with(line, triangle));
+    expect_equal_results(".obj", text_with(line, triangle));
   for(const char* line : {"", "f 1/-1 1/-2 1/1\n", "f 1 1 1\n"})
-    expect_equal_results("threads.obj", text_with(line, with_uv));
-  expect_equal_results("threads.obj", text_with("", with_colors));
+    expect_equal_results(".obj", text_with(line, with_uv));
+  expect_equal_results(".obj", text_with("", with_colors));
 }
 
 TEST(Read_with_threads, xyz_does_not_depend_on_their_number)
 {
   for(const char* others : {"1.5 2 3\n-1 0 1e-3\n", "1, 2, 3, 0, 0, 1\r\n"})
     for(const char* line : {"", "# comment\n", "5\n", "1 2 3 4 5\n"})
-      expect_equal_results("threads.xyz", text_with(line, others));
-  expect_equal_results("threads.xyz", "7\n" + text_with("", "1 2 3\n"));
+      expect_equal_results(".xyz", text_with(line, others));
+  expect_equal_results(".xyz", "7\n" + text_with("", "1 2 3\n"));
 }
 
 // Returns a number of copies of a line, with another line in the middle of them.
@@ -131,19 +134,17 @@ TEST(Read_with_threads, off_does_not_depend_on_their_number)
   const std::string header = "OFF # comment\n# comment\n\n150000 150000 0\n",
                     vertices = lines_with("", 150000, "1.5 2.25 3.125\n"),
                     faces = lines_with("", 150000, "3 0 149999 77 255 0 0\n");
-  expect_equal_results("threads.off", header + vertices + faces);
-  expect_equal_results("threads.off", header + vertices + faces + "2 0 1\n# the end");
-  expect_equal_results("threads.off", header + vertices); // faces are missing
+  expect_equal_results(".off", header + vertices + faces);
+  expect_equal_results(".off", header + vertices + faces + "2 0 1\n# the end");
+  expect_equal_results(".off", header + vertices); // faces are missing
   // A comment or an empty line, a face with a missing index or an invalid one, two faces.
   for(const char* line :
       {"# comment\n", "\r\n", "3 0 1\n", "3 0 1 150000\n", "3 0 1 2\r3 0 1 2\r\n", "4 0 1 2 3\n"})
-    expect_equal_results("threads.off",
-                         header + vertices + lines_with(line, 149999, "3 0 149999 77\n"));
+    expect_equal_results(".off", header + vertices + lines_with(line, 149999, "3 0 149999 77\n"));
   for(const char* line : {"# comment\n", "1 2 x\n", "1 2 3\r\n"})
-    expect_equal_results("threads.off",
-                         header + lines_with(line, 149999, "1.5 2.25 3.125\n") + faces);
+    expect_equal_results(".off", header + lines_with(line, 149999, "1.5 2.25 3.125\n") + faces);
   // The header is longer than a chunk.
-  expect_equal_results("threads.off", "OFF\n" + text_with("", "# comment\n") + "1 0 0\n1 2 3\n");
+  expect_equal_results(".off", "OFF\n" + text_with("", "# comment\n") + "1 0 0\n1 2 3\n");
 }
 
 std::string ply_header(const std::string& format)
@@ -159,16 +160,16 @@ TEST(Read_with_threads, ascii_ply_does_not_depend_on_their_number)
   const std::string vertices = lines_with("", 100000, "1.5 2.25 3.125 9\n"),
                     faces = lines_with("", 100000, "3 0 99999 77\n"),
                     edges = lines_with("", 100000, "7 -1\n"), header = ply_header("ascii");
-  expect_equal_results("threads.ply", header + vertices + faces + edges);
-  expect_equal_results("threads.ply", header + vertices + faces + edges + "1 2 3\n");
-  expect_equal_results("threads.ply", header + vertices + faces);
+  expect_equal_results(".ply", header + vertices + faces + edges);
+  expect_equal_results(".ply", header + vertices + faces + edges + "1 2 3\n");
+  expect_equal_results(".ply", header + vertices + faces);
   // An empty line, an item on two lines, two items on a line, an invalid number, a long list.
   for(const char* line : {"\n", "3 0\n1 2\n", "3 0 1 2 3 0 1 2\n", "3 0 1 2\r3 0 1 2\r\n",
                           "3 0 1 x\n", "9999999 1\n", "4 0 1 2 3\n"})
-    expect_equal_results("threads.ply",
+    expect_equal_results(".ply",
                          header + vertices + lines_with(line, 99999, "3 0 99999 77\n") + edges);
   for(const char* line : {"1 2 3 x\n", "1 2 3\n4\n", "1e9 inf 7 0\r\n"})
-    expect_equal_results("threads.ply",
+    expect_equal_results(".ply",
                          header + lines_with(line, 99999, "1.5 2.25 3.125 9\n") + faces + edges);
 }
 
@@ -180,12 +181,11 @@ TEST(Read_with_threads, binary_ply_does_not_depend_on_their_number)
   {
     const std::string header = ply_header(format), vertices = lines_with("", 100000, vertex),
                       edges = lines_with("", 100000, edge);
-    expect_equal_results("threads.ply",
-                         header + vertices + lines_with("", 100000, triangle) + edges);
-    expect_equal_results("threads.ply",
-                         header + vertices +
-                             lines_with(std::string("\1\0\0\0\0", 5), 99999, triangle) + edges);
-    expect_equal_results("threads.ply", header + vertices + lines_with("", 100000, triangle));
+    expect_equal_results(".ply", header + vertices + lines_with("", 100000, triangle) + edges);
+    expect_equal_results(".ply", header + vertices +
+                                     lines_with(std::string("\1\0\0\0\0", 5), 99999, triangle) +
+                                     edges);
+    expect_equal_results(".ply", header + vertices + lines_with("", 100000, triangle));
   }
 }
 
