@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paths/Shortest_path_forest.h"
 
-#include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
 #include <algorithm>
@@ -14,19 +13,19 @@ Shortest_path_forest::Shortest_path_forest(const Surface_arrays& triangles, Fans
     : t(triangles), m_fans(std::move(fans)), m_distance(m_fans.size(), infinity),
       m_parent(m_fans.size(), none)
 {
+  Vertex_queue queue(m_fans.size());
   if(root != none)
-    grow(root);
+    grow(root, queue);
   else
     for(Index fan = 0; fan < m_fans.size(); ++fan)
       if(m_distance[fan] == infinity)
-        grow(fan);
+        grow(fan, queue);
 }
 
 // Dijkstra's algorithm.
-void Shortest_path_forest::grow(Index root)
+void Shortest_path_forest::grow(Index root, Vertex_queue& queue)
 {
   m_distance[root] = 0.;
-  Vertex_queue queue(m_fans.size());
   queue.push(root, 0.);
   while(!queue.empty())
   {

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_SHORTEST_PATH_FOREST_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
 #include "paths/fans.h"
 
 #include <vector>
@@ -40,7 +41,7 @@ private:
   Index origin(Index h) const { return m_fans.fan[h]; }
   Index target(Index h) const { return m_fans.fan[next_halfedge(h)]; }
   Index other_end(Index h, Index fan) const { return origin(h) == fan ? target(h) : origin(h); }
-  void grow(Index root);
+  void grow(Index root, Vertex_queue& queue); // the queue is empty
   std::vector<Index> edges_from_root(Index fan) const;
   Index add_edge(Index h, Index from, std::vector<Surface_location>& path) const;
 
