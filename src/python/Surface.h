@@ -1,0 +1,650 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PYTHON_SURFACE_H
+#define GEODESIC_PYTHON_SURFACE_H
+
+#include "python/Computation.h"
+#include "python/arrays.h"
+#include "python/surface_types.h"
+
+#include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
+#include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
+#include <CGAL/Geodesic_processing/farthest_point_sampling.h>
+#include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
+#include <CGAL/Geodesic_processing/geodesic_voronoi_diagram.h>
+#include <CGAL/Geodesic_processing/locate_on_surface.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace python {
+
+// Not public: A solver has its method as a template argument. One class of Python has all methods.
+using GP::internal::Distance_method;
+using GP::internal::Runtime_method;
+
+// Returns the method of a name. Throws Invalid_argument_error if it is unknown.
+Distance_method parse_method(const py::object& name);
+
+// A readable property map of numbers.
+template <typename Key>
+struct Number_map
+{
+  using key_type = Key;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  const Numbers* numbers;
+
+  friend double get(const Number_map& map, Key key) { return (*map.numbers)(std::size_t(key)); }
+};
+
+// A writable property map: the values are converted to `Number` and written to an array.
+template <typename Key, typename Number>
+struct Output_map
+{
+  using key_type = Key;
+  using value_type = Number;
+  using reference = Number&;
+  using category = boost::writable_property_map_tag;
+
+  Number* data;
+  std::ptrdiff_t stride; // a number of elements
+
+  friend void put(const Output_map& map, Key key, Number value)
+  {
+    map.data[std::ptrdiff_t(std::size_t(key)) * map.stride] = value;
+  }
+};
+
+// Returns a new array of integers, and its map. The largest std::size_t becomes -1.
+template <typename Key>
+Output_map<Key, std::int64_t> label_map(py::array_t<std::int64_t>& labels)
+{
+  return {labels.mutable_data(), 1};
+}
+
+// A surface as Python sees it. It is immutable except for a cached path finder, which it guards.
+//
+// Domain  Mesh_domain or Cloud_domain
+template <typename Domain>
+class Surface
+{
+public:
+  using Input = GP::Surface_of<Domain>; // Mesh or Cloud
+  using Traits = GP::Source<Input>;
+  using Vertex = typename Traits::Vertex;
+  using Location = typename Traits::Location;
+  using Vertex_or_location = std::variant<Vertex, Location>;
+  using Source = GP::Source<Input>;
+  static constexpr bool is_cloud = std::is_same_v<Input, Cloud>;
+  static constexpr std::size_t number_of_coordinates = is_cloud ? 2 : 3; // of a location
+
+  Surface(Domain domain, std::size_t number_of_points)
+      : m_domain(std::move(domain)), m_number_of_points(number_of_points)
+  {}
+
+  const Domain& domain() const { return m_domain; }
+  std::size_t number_of_points() const { return m_number_of_points; }
+  std::size_t number_of_faces() const
+  {
+    if constexpr(is_cloud)
+      return 0;
+    else
+      return m_domain.number_of_faces();
+  }
+
+  // ---- Arguments
+
+  // Reads a vertex, or a pair of a face (a surfel on clouds) and coordinates.
+  Vertex_or_location vertex_or_location(const py::handle& object) const
+  {
+    if(is_integer(object))
+      return vertex(index(object, "vertex", m_number_of_points));
+    if(!py::isinstance<py::tuple>(object) || py::len(object) != 2)
+      reject("A location is neither a vertex nor a pair of a face and barycentric coordinates, or "
+             "of a surfel and an offset.");
+    const auto pair = py::reinterpret_borrow<py::tuple>(object);
+    const std::size_t i = index(pair[0], element_name, number_of_elements());
+    const Numbers coordinates(pair[1], is_cloud ? "An offset" : "A list of barycentric coordinates",
+                              {py::ssize_t(number_of_coordinates)});
+    Location result = location(i);
+    for(std::size_t k = 0; k < number_of_coordinates; ++k)
+    {
+      if(!std::isfinite(coordinates(k)))
+        reject("A coordinate of a location is not finite.");
+      coordinate(result, k) = coordinates(k);
+    }
+    (void)m_domain.point(result); // throws if the location is invalid
+    return result;
+  }
+
+  // Reads a vertex or location, or a non-empty range of them.
+  std::vector<Vertex_or_location> vertices_or_locations(const py::object& object,
+                                                        const std::string& name) const
+  {
+    std::vector<Vertex_or_location> result;
+    if(is_single(object))
+    {
+      result.push_back(vertex_or_location(object));
+      return result;
+    }
+    if(py::isinstance<py::array>(object))
+    {
+      const Integers vertices(object, name, {any});
+      result.reserve(vertices.size());
+      for(std::size_t i = 0; i < vertices.size(); ++i)
+        result.emplace_back(vertex(checked_index(vertices(i), "vertex", m_number_of_points)));
+      return result;
+    }
+    if(py::isinstance<py::str>(object) || !py::hasattr(object, "__iter__"))
+      reject(name + " are neither vertices nor locations.");
+    for(const py::handle item : object)
+      result.push_back(vertex_or_location(item));
+    if(result.empty())
+      reject(name + " are empty.");
+    return result;
+  }
+
+  // Reads sources with optional offsets, one for each source.
+  std::vector<Source> sources(const py::object& object, const py::object& offsets) const
+  {
+    const std::vector<Vertex_or_location> positions = vertices_or_locations(object, "sources");
+    std::optional<Numbers> values;
+    if(!offsets.is_none())
+      values.emplace(offsets, "offsets", Shape{py::ssize_t(positions.size())});
+    std::vector<Source> result;
+    result.reserve(positions.size());
+    for(std::size_t i = 0; i < positions.size(); ++i)
+      std::visit([&](const auto& position)
+                 { result.emplace_back(position, values ? (*values)(i) : 0.); },
+                 positions[i]);
+    return result;
+  }
+
+  // Reads targets and calls f with a vector of vertices, or of locations. It is empty for None.
+  template <typename Function>
+  void with_targets(const py::object& targets, const Function& f) const
+  {
+    if(targets.is_none())
+      return f(std::vector<Vertex>());
+    const std::vector<Vertex_or_location> positions = vertices_or_locations(targets, "targets");
+    std::vector<Vertex> vertices;
+    std::vector<Location> locations;
+    for(const Vertex_or_location& position : positions)
+      if(std::holds_alternative<Vertex>(position))
+        vertices.push_back(std::get<Vertex>(position));
+      else
+        locations.push_back(std::get<Location>(position));
+    if(!vertices.empty() && !locations.empty())
+      reject("targets are vertices and locations. They must be either vertices or locations.");
+    if(locations.empty())
+      return f(vertices);
+    f(locations);
+  }
+
+  // ---- Results
+
+  // Returns the arrays of a range of locations: faces or surfels, and coordinates.
+  static py::tuple location_arrays(const std::vector<Location>& locations)
+  {
+    const auto size = py::ssize_t(locations.size());
+    py::array_t<std::int64_t> indices(size);
+    py::array_t<double> coordinates(Shape{size, py::ssize_t(number_of_coordinates)});
+    std::int64_t* next_index = indices.mutable_data();
+    double* next_coordinate = coordinates.mutable_data();
+    for(Location location : locations)
+    {
+      *next_index++ = std::int64_t(element(location));
+      for(std::size_t k = 0; k < number_of_coordinates; ++k)
+        *next_coordinate++ = coordinate(location, k);
+    }
+    return py::make_tuple(indices, coordinates);
+  }
+
+  template <typename Points>
+  static py::array_t<double> point_array(const Points& points)
+  {
+    py::array_t<double> result(Shape{py::ssize_t(points.size()), 3});
+    double* next = result.mutable_data();
+    for(const auto& p : points)
+      for(int k = 0; k < 3; ++k)
+        *next++ = p[k];
+    return result;
+  }
+
+  // Returns points, indices, coordinates, length, lower bound and distance of a path.
+  template <typename Path>
+  static py::tuple path_arrays(const Path& path)
+  {
+    const py::tuple locations = location_arrays(path.locations);
+    return py::make_tuple(point_array(path.points), locations[0], locations[1], path.length,
+                          path.lower, path.front_distance);
+  }
+
+  // ---- Queries
+
+  // Returns the location closest to each point.
+  py::tuple locate(const py::object& points)
+  {
+    const Numbers numbers(points, "points", {any, 3});
+    std::vector<Location> result;
+    Computation().run(
+        [&]
+        {
+          std::call_once(m_locator_flag, [&] { m_locator.emplace(m_domain); });
+          result.reserve(numbers.size());
+          for(std::size_t i = 0; i < numbers.size(); ++i)
+            result.push_back(
+                (*m_locator)(Kernel::Point_3(numbers(i, 0), numbers(i, 1), numbers(i, 2))));
+        });
+    return location_arrays(result);
+  }
+
+  // Returns the points of locations.
+  py::array_t<double> points(const py::object& locations) const
+  {
+    std::vector<Kernel::Point_3> result;
+    for(const Vertex_or_location& position : vertices_or_locations(locations, "locations"))
+      if(std::holds_alternative<Location>(position))
+        result.push_back(m_domain.point(std::get<Location>(position)));
+      else if constexpr(is_cloud)
+        result.push_back(m_domain.point({std::get<Vertex>(position), {0., 0.}}));
+      else
+        result.push_back(m_domain.mesh().point(std::get<Vertex>(position)));
+    return point_array(result);
+  }
+
+  // Returns the paths between pairs of vertices or locations.
+  py::list paths(const py::object& pairs)
+  {
+    std::vector<std::array<Vertex_or_location, 2>> ends;
+    if(!py::hasattr(pairs, "__iter__"))
+      reject("pairs are not a list of pairs of vertices or locations.");
+    for(const py::handle pair : pairs)
+    {
+      if(!py::isinstance<py::sequence>(pair) || py::len(pair) != 2)
+        reject("pairs contain an element that is not a pair of vertices or locations.");
+      const auto two = py::reinterpret_borrow<py::sequence>(pair);
+      ends.push_back(
+          {vertex_or_location(py::object(two[0])), vertex_or_location(py::object(two[1]))});
+    }
+    if(ends.empty())
+      reject("pairs are empty.");
+    py::list result;
+    for(const auto& [from, to] : ends)
+    {
+      GP::Geodesic_path<Input> path;
+      Computation computation;
+      computation.run(
+          [&, &from = from, &to = to]
+          {
+            const std::lock_guard<Guard> lock(m_finder_guard);
+            if(!m_finder)
+              m_finder.emplace(m_domain);
+            path = std::visit([&](const auto& a, const auto& b) { return (*m_finder)(a, b); }, from,
+                              to);
+          });
+      result.append(path_arrays(path));
+      if(PyErr_CheckSignals() != 0)
+        throw py::error_already_set();
+    }
+    return result;
+  }
+
+  // Returns the matrix of distances. Rows are sources, columns are targets.
+  py::object distance_matrix(const py::object& source_list, const py::object& target_list,
+                             const py::object& maximum, const py::object& method,
+                             const py::object& threads, const py::object& callback) const
+  {
+    const Distance_method kind = checked_method(method);
+    const double maximum_distance = number(maximum, "max_distance");
+    const unsigned number_of_threads = parse_threads(threads);
+    const std::vector<Source> from = sources(source_list, py::none());
+    Computation computation(callback);
+    auto result = std::make_unique<Eigen::MatrixXd>();
+    with_targets(target_list.is_none() ? source_list : target_list,
+                 [&](const auto& targets)
+                 {
+                   const auto np = GP::parameters::targets(targets)
+                                       .maximum_distance(maximum_distance)
+                                       .number_of_threads(number_of_threads)
+                                       .callback(computation.callback());
+                   computation.run_beside(
+                       [&]
+                       {
+                         // Not public: geodesic_distance_matrix() has the method as a template
+                         // argument.
+                         *result = GP::internal::distances_of_pairs<CGAL::Parallel_tag>(
+                             m_domain, kind, from, np);
+                       });
+                 });
+    // The array refers to the matrix, which is stored by columns.
+    Eigen::MatrixXd* const matrix = result.release();
+    const py::capsule owner(matrix, [](void* data) { delete static_cast<Eigen::MatrixXd*>(data); });
+    const auto size = py::ssize_t(sizeof(double));
+    return py::array_t<double>(Shape{matrix->rows(), matrix->cols()},
+                               Shape{size, size * matrix->rows()}, matrix->data(), owner);
+  }
+
+  // Returns the locations of samples, the covering radius after each of them, and the sample of
+  // each vertex.
+  py::tuple farthest_points(const py::object& count, const py::object& radius,
+                            const py::object& first, const py::object& speed,
+                            const py::object& callback) const
+  {
+    std::size_t size = std::numeric_limits<std::size_t>::max();
+    if(!count.is_none())
+      size = index(count, "number of samples", std::size_t(1) << 31);
+    else if(radius.is_none())
+      reject("n or radius is required.");
+    const double covering_radius = radius.is_none() ? 0. : number(radius, "radius");
+    const std::optional<Numbers> speeds = vertex_speeds(speed);
+    std::vector<Location> samples;
+    std::vector<double> radii;
+    py::array_t<std::int64_t> labels{Shape{py::ssize_t(m_number_of_points)}};
+    Computation computation(callback);
+    with_targets(
+        first,
+        [&](const auto& first_samples)
+        {
+          const auto np = GP::parameters::covering_radius(covering_radius)
+                              .first_samples(first_samples)
+                              .covering_radius_output(std::back_inserter(radii))
+                              .source_label_map(label_map<Vertex>(labels))
+                              .speed_map(speed_map(speeds))
+                              .callback(computation.callback());
+          computation.run(
+              [&]
+              { GP::farthest_point_sampling(m_domain, size, std::back_inserter(samples), np); });
+        });
+    const py::tuple locations = location_arrays(samples);
+    return py::make_tuple(locations[0], locations[1],
+                          py::array_t<double>(py::ssize_t(radii.size()), radii.data()), labels);
+  }
+
+  // ---- For solvers
+
+  // Reads the name of a method. Throws Unsupported_surface_error if the surface does not admit it.
+  static Distance_method checked_method(const py::object& name)
+  {
+    const Distance_method method = parse_method(name);
+    if(is_cloud && method == Distance_method::exact)
+      throw GP::Unsupported_surface_error("Exact distances need a mesh, because the triangles of a "
+                                          "cloud are not connected.");
+    return method;
+  }
+
+  // Reads the speeds of vertices; empty for None.
+  std::optional<Numbers> vertex_speeds(const py::object& speed) const
+  {
+    if(speed.is_none())
+      return std::nullopt;
+    return Numbers(speed, "speed", {py::ssize_t(m_number_of_points)});
+  }
+  static std::optional<Number_map<Vertex>> speed_map(const std::optional<Numbers>& speeds)
+  {
+    if(!speeds)
+      return std::nullopt;
+    return Number_map<Vertex>{&*speeds};
+  }
+
+  static Vertex vertex(std::size_t i)
+  {
+    if constexpr(is_cloud)
+      return i;
+    else
+      return Vertex(typename Mesh::size_type(i));
+  }
+
+  // Returns whether an object is a vertex or a location, and not a range. A tuple of two integers
+  // is a range of vertices.
+  static bool is_single(const py::object& object)
+  {
+    if(is_integer(object))
+      return true;
+    if(!py::isinstance<py::tuple>(object) || py::len(object) != 2)
+      return false;
+    const auto pair = py::reinterpret_borrow<py::tuple>(object);
+    return is_integer(pair[0]) && is_row(pair[1]);
+  }
+
+private:
+  static constexpr const char* element_name = is_cloud ? "surfel" : "face";
+
+  std::size_t number_of_elements() const
+  {
+    return is_cloud ? m_number_of_points : number_of_faces();
+  }
+  static Location location(std::size_t i)
+  {
+    if constexpr(is_cloud)
+      return {i, {0., 0.}};
+    else
+      return {Mesh::Face_index(Mesh::size_type(i)), {0., 0., 0.}};
+  }
+  static double& coordinate(Location& location, std::size_t k)
+  {
+    if constexpr(is_cloud)
+      return location.offset[k];
+    else
+      return location.second[k];
+  }
+  static std::size_t element(const Location& location)
+  {
+    if constexpr(is_cloud)
+      return location.surfel;
+    else
+      return std::size_t(location.first);
+  }
+  static unsigned parse_threads(const py::object& threads)
+  {
+    if(threads.is_none())
+      return std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t result = index(threads, "number of threads", 1025);
+    if(result == 0)
+      reject("The number of threads is zero.");
+    return unsigned(result);
+  }
+
+  Domain m_domain;
+  std::size_t m_number_of_points;
+  std::once_flag m_locator_flag;
+  std::optional<GP::Surface_locator<Input>> m_locator;
+  Guard m_finder_guard;
+  std::optional<GP::Geodesic_path_finder<Input>> m_finder;
+};
+
+// A solver as Python sees it. One thread at a time uses it.
+template <typename Domain>
+class Solver
+{
+public:
+  using Surface_type = Surface<Domain>;
+  using Vertex = typename Surface_type::Vertex;
+  using Location = typename Surface_type::Location;
+  using Vertex_or_location = typename Surface_type::Vertex_or_location;
+
+  Solver(std::shared_ptr<Surface_type> surface, const py::object& method)
+      : m_surface(std::move(surface))
+  {
+    const Distance_method kind = Surface_type::checked_method(method);
+    Computation().run([&] { m_solver.emplace(m_surface->domain(), kind); });
+  }
+
+  void compute(const py::object& source_list, const py::object& maximum, const py::object& targets,
+               const py::object& speed, const py::object& face_speed, const py::object& offsets,
+               const py::object& relative_tolerance, const py::object& callback)
+  {
+    const auto sources = m_surface->sources(source_list, offsets);
+    const double maximum_distance = number(maximum, "max_distance");
+    const double tolerance = number(relative_tolerance, "relative_tolerance");
+    const std::optional<Numbers> speeds = m_surface->vertex_speeds(speed);
+    Computation computation(callback);
+    m_surface->with_targets(
+        targets,
+        [&](const auto& positions)
+        {
+          const auto np = GP::parameters::maximum_distance(maximum_distance)
+                              .targets(positions)
+                              .relative_tolerance(tolerance)
+                              .callback(computation.callback());
+          if(face_speed.is_none())
+            return run(computation, sources, np.speed_map(m_surface->speed_map(speeds)));
+          if constexpr(Surface_type::is_cloud)
+            reject("A cloud has no faces; pass speeds of surfels as speed.");
+          else
+          {
+            if(!speed.is_none())
+              reject("speed and face_speed cannot be combined.");
+            const Numbers values(face_speed, "face_speed",
+                                 {py::ssize_t(m_surface->number_of_faces())});
+            run(computation, sources, np.face_speed_map(Number_map<Mesh::Face_index>{&values}));
+          }
+        });
+  }
+
+  // Writes the distance of each vertex to an array.
+  void write_distances(py::array_t<double> out)
+  {
+    const Output_map<Vertex, double> map{out.mutable_data(),
+                                         out.strides(0) / std::ptrdiff_t(sizeof(double))};
+    use([&] { m_solver->write_distances(map); });
+  }
+
+  // Returns the distance of each vertex or location.
+  py::object distances(const py::object& object)
+  {
+    const auto positions = m_surface->vertices_or_locations(object, "locations");
+    py::array_t<double> result(py::ssize_t(positions.size()));
+    double* const values = result.mutable_data();
+    use(
+        [&]
+        {
+          std::vector<Location> locations;
+          std::vector<std::size_t> rows;
+          for(std::size_t i = 0; i < positions.size(); ++i)
+            if(const Vertex* vertex = std::get_if<Vertex>(&positions[i]))
+              values[i] = m_solver->distance(*vertex);
+            else
+            {
+              locations.push_back(std::get<Location>(positions[i]));
+              rows.push_back(i);
+            }
+          std::vector<double> found;
+          m_solver->distances(locations, std::back_inserter(found));
+          for(std::size_t i = 0; i < rows.size(); ++i)
+            values[rows[i]] = found[i];
+        });
+    if(Surface_type::is_single(object))
+      return py::float_(values[0]);
+    return std::move(result);
+  }
+
+  py::tuple path(const py::object& from)
+  {
+    const Vertex_or_location start = m_surface->vertex_or_location(from);
+    GP::Surface_path<typename Surface_type::Input> result;
+    use([&]
+        { std::visit([&](const auto& position) { result = m_solver->path(position); }, start); });
+    return Surface_type::path_arrays(result);
+  }
+
+  py::array_t<std::int64_t> labels()
+  {
+    py::array_t<std::int64_t> result(py::ssize_t(m_surface->number_of_points()));
+    const auto map = label_map<Vertex>(result);
+    use([&] { m_solver->write_source_labels(map); });
+    return result;
+  }
+
+  py::array_t<std::int64_t> reached()
+  {
+    std::vector<Vertex> vertices;
+    use([&] { vertices = m_solver->reached(); });
+    py::array_t<std::int64_t> result(py::ssize_t(vertices.size()));
+    std::int64_t* next = result.mutable_data();
+    for(const Vertex vertex : vertices)
+      *next++ = std::int64_t(std::size_t(vertex));
+    return result;
+  }
+
+private:
+  template <typename Sources, typename NamedParameters>
+  void run(Computation& computation, const Sources& sources, const NamedParameters& np)
+  {
+    computation.run(
+        [&]
+        {
+          const std::lock_guard<Guard> lock(m_guard);
+          m_solver->compute(sources, np);
+        });
+  }
+  // Calls f() without the GIL, while no other thread uses the solver.
+  template <typename Function>
+  void use(const Function& f)
+  {
+    Computation().run(
+        [&]
+        {
+          const std::lock_guard<Guard> lock(m_guard);
+          f();
+        });
+  }
+
+  std::shared_ptr<Surface_type> m_surface;
+  Guard m_guard;
+  std::optional<GP::Geodesic_distance_solver<typename Surface_type::Input, Runtime_method>>
+      m_solver;
+};
+
+// Adds the members that surfaces and solvers of meshes and clouds share.
+template <typename Domain>
+py::class_<Surface<Domain>, std::shared_ptr<Surface<Domain>>>
+bind_surface(py::module_& module, const char* surface_name, const char* solver_name)
+{
+  using Surface_type = Surface<Domain>;
+  using Solver_type = Solver<Domain>;
+  py::class_<Surface_type, std::shared_ptr<Surface_type>> surface(module, surface_name);
+  surface.def_property_readonly("number_of_points", &Surface_type::number_of_points)
+      .def_property_readonly("number_of_faces", &Surface_type::number_of_faces)
+      .def("locate", &Surface_type::locate)
+      .def("points", &Surface_type::points)
+      .def("paths", &Surface_type::paths)
+      .def("distance_matrix", &Surface_type::distance_matrix)
+      .def("farthest_points", &Surface_type::farthest_points)
+      .def("solver", [](const std::shared_ptr<Surface_type>& self, const py::object& method)
+           { return std::make_unique<Solver_type>(self, method); });
+  py::class_<Solver_type>(module, solver_name)
+      .def("compute", &Solver_type::compute)
+      .def("write_distances", &Solver_type::write_distances)
+      .def("distances", &Solver_type::distances)
+      .def("path", &Solver_type::path)
+      .def("labels", &Solver_type::labels)
+      .def("reached", &Solver_type::reached);
+  return surface;
+}
+
+// Defined in mesh.cpp and cloud.cpp, which are compiled separately.
+void bind_mesh(py::module_& module);
+void bind_cloud(py::module_& module);
+
+} // namespace python
+
+#endif // GEODESIC_PYTHON_SURFACE_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/Surface.h"
+#include "python/read_surface.h"
+
+#include <CGAL/Geodesic_processing/estimate_surfels.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+namespace python {
+
+namespace {
+
+using Cloud_surface = Surface<Cloud_domain>;
+
+template <typename Function>
+auto map_of(const Function& f)
+{
+  return boost::make_function_property_map<std::size_t>(f);
+}
+
+// Constructs the domain of a cloud that is read by functions of an index. If `normal_of` is empty,
+// normals are estimated.
+std::shared_ptr<Cloud_surface>
+make_surface(std::size_t size, const std::function<Kernel::Point_3(std::size_t)>& point_of,
+             const std::function<Kernel::Vector_3(std::size_t)>& normal_of,
+             const std::function<double(std::size_t)>& radius_of)
+{
+  const Cloud cloud{size};
+  std::vector<Kernel::Vector_3> estimated;
+  auto given_normal_of = normal_of;
+  if(!normal_of)
+  {
+    estimated.resize(size);
+    GP::estimate_surfels<CGAL::Parallel_tag>(
+        cloud,
+        GP::parameters::point_map(map_of(point_of)).normal_map(CGAL::make_property_map(estimated)));
+    given_normal_of = [&](std::size_t i) { return estimated[i]; };
+  }
+  const auto np = GP::parameters::point_map(map_of(point_of)).normal_map(map_of(given_normal_of));
+  const auto domain = [&]
+  {
+    return radius_of ? GP::make_domain<CGAL::Parallel_tag>(cloud, np.radius_map(map_of(radius_of)))
+                     : GP::make_domain<CGAL::Parallel_tag>(cloud, np);
+  };
+  return std::make_shared<Cloud_surface>(domain(), size);
+}
+
+// Returns a function that reads points or vectors, or an empty function if there are none.
+template <typename Value>
+std::function<Value(std::size_t)> reader(const std::optional<Numbers>& numbers)
+{
+  if(!numbers)
+    return {};
+  return [&numbers = *numbers](std::size_t i)
+  { return Value(numbers(i, 0), numbers(i, 1), numbers(i, 2)); };
+}
+
+std::shared_ptr<Cloud_surface> cloud_of_arrays(const py::object& P, const py::object& normals,
+                                               const py::object& radii)
+{
+  const std::optional<Numbers> points(std::in_place, P, "P", Shape{any, 3});
+  const auto size = py::ssize_t(points->size());
+  std::optional<Numbers> normal_array, radius_array;
+  if(!normals.is_none())
+    normal_array.emplace(normals, "normals", Shape{size, 3});
+  std::function<double(std::size_t)> radius_of;
+  if(!radii.is_none())
+  {
+    radius_array.emplace(radii, "radii", Shape{size});
+    radius_of = [&radius_array](std::size_t i) { return (*radius_array)(i); };
+  }
+  std::shared_ptr<Cloud_surface> result;
+  Computation().run(
+      [&]
+      {
+        result = make_surface(points->size(), reader<Kernel::Point_3>(points),
+                              reader<Kernel::Vector_3>(normal_array), radius_of);
+      });
+  return result;
+}
+
+// Returns the labels of surfels.
+py::array_t<std::int64_t> voronoi(const Cloud_surface& surface, const py::object& seeds,
+                                  const py::object& speed, const py::object& callback)
+{
+  const auto sources = surface.sources(seeds, py::none());
+  const std::optional<Numbers> speeds = surface.vertex_speeds(speed);
+  py::array_t<std::int64_t> labels(py::ssize_t(surface.number_of_points()));
+  Computation computation(callback);
+  const auto np =
+      GP::parameters::speed_map(Cloud_surface::speed_map(speeds)).callback(computation.callback());
+  const auto map = label_map<std::size_t>(labels);
+  computation.run([&] { GP::geodesic_voronoi_diagram(surface.domain(), sources, map, np); });
+  return labels;
+}
+
+} // namespace
+
+py::object cloud_of_file(const program::Surface_file& file)
+{
+  const auto point_of = [&](std::size_t i)
+  { return Kernel::Point_3(file.points[i][0], file.points[i][1], file.points[i][2]); };
+  std::function<Kernel::Vector_3(std::size_t)> normal_of;
+  if(!file.normals.empty())
+    normal_of = [&](std::size_t i)
+    { return Kernel::Vector_3(file.normals[i][0], file.normals[i][1], file.normals[i][2]); };
+  std::function<double(std::size_t)> radius_of;
+  if(const auto radii = file.properties.find("radius"); radii != file.properties.end())
+    radius_of = [values = &radii->second](std::size_t i) { return (*values)[i]; };
+  std::shared_ptr<Cloud_surface> result;
+  Computation().run([&]
+                    { result = make_surface(file.points.size(), point_of, normal_of, radius_of); });
+  return py::cast(result);
+}
+
+void bind_cloud(py::module_& module)
+{
+  bind_surface<Cloud_domain>(module, "Cloud", "Cloud_solver").def("voronoi", &voronoi);
+  module.def("make_cloud", &cloud_of_arrays);
+}
+
+} // namespace python

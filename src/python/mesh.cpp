@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/Surface.h"
+#include "python/read_surface.h"
+
+#include <CGAL/Geodesic_processing/isolines.h>
+
+#include <boost/range/adaptor/transformed.hpp>
+#include <boost/range/irange.hpp>
+
+namespace python {
+
+namespace {
+
+using Mesh_surface = Surface<Mesh_domain>;
+
+// Constructs the domain of a soup that is read by two functions: the point of an index, and the
+// corner k of a polygon.
+template <typename Point_of, typename Polygon_of>
+std::shared_ptr<Mesh_surface>
+make_surface(std::size_t number_of_points, const Point_of& point_of, std::size_t number_of_polygons,
+             const Polygon_of& polygon_of, const std::optional<double>& merge_tolerance,
+             bool do_remove_degenerate_faces)
+{
+  using boost::adaptors::transformed;
+  const auto points = boost::irange<std::size_t>(0, number_of_points) | transformed(point_of);
+  const auto polygons = boost::irange<std::size_t>(0, number_of_polygons) | transformed(polygon_of);
+  const auto np = GP::parameters::do_remove_degenerate_faces(do_remove_degenerate_faces);
+  const auto domain = [&]
+  {
+    return merge_tolerance ? GP::make_domain<CGAL::Parallel_tag>(
+                                 points, polygons, np.merge_tolerance(*merge_tolerance))
+                           : GP::make_domain<CGAL::Parallel_tag>(points, polygons, np);
+  };
+  return std::make_shared<Mesh_surface>(domain(), number_of_points);
+}
+
+std::shared_ptr<Mesh_surface> mesh_of_arrays(const py::object& V, const py::object& F,
+                                             const py::object& merge_tolerance,
+                                             bool do_remove_degenerate_faces)
+{
+  const Numbers points(V, "V", {any, 3});
+  const Integers polygons(F, "F", {any, any});
+  if(polygons.row_size() < 3)
+    reject("F has fewer than three columns.");
+  std::optional<double> tolerance;
+  if(!merge_tolerance.is_none())
+    tolerance = number(merge_tolerance, "merge_tolerance");
+  const auto point_of = [&](std::size_t i)
+  { return Kernel::Point_3(points(i, 0), points(i, 1), points(i, 2)); };
+  const auto polygon_of = [&](std::size_t f)
+  {
+    return boost::irange<std::size_t>(0, polygons.row_size()) |
+           boost::adaptors::transformed([&polygons, f](std::size_t k) { return polygons(f, k); });
+  };
+  std::shared_ptr<Mesh_surface> result;
+  Computation().run(
+      [&]
+      {
+        result = make_surface(points.size(), point_of, polygons.size(), polygon_of, tolerance,
+                              do_remove_degenerate_faces);
+      });
+  return result;
+}
+
+// Returns the positions of the points at the corners of each face.
+py::array_t<std::int64_t> faces(const Mesh_surface& surface)
+{
+  const std::size_t number_of_faces = surface.number_of_faces();
+  py::array_t<std::int64_t> result(Shape{py::ssize_t(number_of_faces), 3});
+  std::int64_t* next = result.mutable_data();
+  for(std::size_t f = 0; f < number_of_faces; ++f)
+    for(const std::size_t corner : surface.domain().corners(Mesh::Face_index(Mesh::size_type(f))))
+      *next++ = std::int64_t(corner);
+  return result;
+}
+
+py::dict report(const Mesh_surface& surface)
+{
+  const GP::Soup_report& report = surface.domain().report();
+  py::dict result;
+  const auto add = [&](const char* name, std::size_t value) { result[name] = value; };
+  add("number_of_merged_points", report.number_of_merged_points);
+  add("number_of_triangulated_polygons", report.number_of_triangulated_polygons);
+  add("number_of_degenerate_faces", report.number_of_degenerate_faces);
+  add("number_of_duplicate_triangles", report.number_of_duplicate_triangles);
+  add("number_of_triangles_without_area", report.number_of_triangles_without_area);
+  add("number_of_reversed_triangles", report.number_of_reversed_triangles);
+  add("number_of_split_edges", report.number_of_split_edges);
+  add("number_of_nonmanifold_points", report.number_of_nonmanifold_points);
+  add("number_of_components", report.number_of_components);
+  add("number_of_boundary_cycles", report.number_of_boundary_cycles);
+  add("genus", report.genus);
+  return result;
+}
+
+// Returns the labels of vertices and faces, and the bisectors.
+py::tuple voronoi(const Mesh_surface& surface, const py::object& seeds, const py::object& speed,
+                  const py::object& callback)
+{
+  using Vertex = Mesh_surface::Vertex;
+  const auto sources = surface.sources(seeds, py::none());
+  const std::optional<Numbers> speeds = surface.vertex_speeds(speed);
+  py::array_t<std::int64_t> labels(py::ssize_t(surface.number_of_points()));
+  py::array_t<std::int64_t> face_labels(py::ssize_t(surface.number_of_faces()));
+  std::vector<GP::Voronoi_bisector<Mesh>> bisectors;
+  Computation computation(callback);
+  const auto np = GP::parameters::face_label_map(label_map<Mesh::Face_index>(face_labels))
+                      .bisector_output(std::back_inserter(bisectors))
+                      .speed_map(Mesh_surface::speed_map(speeds))
+                      .callback(computation.callback());
+  const auto map = label_map<Vertex>(labels);
+  computation.run([&] { GP::geodesic_voronoi_diagram(surface.domain(), sources, map, np); });
+  py::list lines;
+  for(const auto& bisector : bisectors)
+  {
+    const py::tuple locations = Mesh_surface::location_arrays(bisector.locations);
+    lines.append(py::make_tuple(bisector.left, bisector.right,
+                                Mesh_surface::point_array(bisector.points), locations[0],
+                                locations[1]));
+  }
+  return py::make_tuple(labels, face_labels, lines);
+}
+
+py::list isolines(const Mesh_surface& surface, const py::object& values, const py::object& levels,
+                  bool do_fit_circles)
+{
+  const Numbers value_array(values, "values", {py::ssize_t(surface.number_of_points())});
+  const Numbers level_array(levels, "levels", {any});
+  std::vector<double> isovalues;
+  for(std::size_t i = 0; i < level_array.size(); ++i)
+    isovalues.push_back(level_array(i));
+  std::vector<GP::Isoline<Mesh>> lines;
+  Computation().run(
+      [&]
+      {
+        GP::isolines(surface.domain(), Number_map<Mesh_surface::Vertex>{&value_array}, isovalues,
+                     std::back_inserter(lines), GP::parameters::do_fit_circles(do_fit_circles));
+      });
+  py::list result;
+  for(const auto& line : lines)
+  {
+    const py::tuple locations = Mesh_surface::location_arrays(line.locations);
+    result.append(py::make_tuple(line.value, line.is_closed, Mesh_surface::point_array(line.points),
+                                 locations[0], locations[1], line.length));
+  }
+  return result;
+}
+
+} // namespace
+
+py::object mesh_of_file(const program::Surface_file& file)
+{
+  const auto point_of = [&](std::size_t i)
+  { return Kernel::Point_3(file.points[i][0], file.points[i][1], file.points[i][2]); };
+  const auto polygon_of = [&](std::size_t f)
+  {
+    return boost::make_iterator_range(file.corners.data() + file.polygon_begin[f],
+                                      file.corners.data() + file.polygon_begin[f + 1]);
+  };
+  std::shared_ptr<Mesh_surface> result;
+  Computation().run(
+      [&]
+      {
+        result = make_surface(file.points.size(), point_of, file.number_of_polygons(), polygon_of,
+                              std::nullopt, false);
+      });
+  return py::cast(result);
+}
+
+void bind_mesh(py::module_& module)
+{
+  bind_surface<Mesh_domain>(module, "Mesh", "Mesh_solver")
+      .def("faces", &faces)
+      .def("report", &report)
+      .def("voronoi", &voronoi)
+      .def("isolines", &isolines);
+  module.def("make_mesh", &mesh_of_arrays);
+}
+
+} // namespace python

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/Surface.h"
+#include "python/read_surface.h"
+
+#include "readers/Input_error.h"
+
+#include <string>
+#include <utility>
+
+namespace python {
+
+Distance_method parse_method(const py::object& name)
+{
+  static const std::pair<const char*, Distance_method> methods[] = {
+      {"auto", Distance_method::automatic},
+      {"exact", Distance_method::exact},
+      {"euclidean", Distance_method::euclidean_front},
+      {"fast-marching", Distance_method::fast_marching},
+      {"dijkstra", Distance_method::dijkstra},
+      {"heat", Distance_method::heat}};
+  if(py::isinstance<py::str>(name))
+    for(const auto& [text, method] : methods)
+      if(name.cast<std::string>() == text)
+        return method;
+  reject("method is not auto, exact, euclidean, fast-marching, dijkstra or heat.");
+}
+
+py::object read_surface(const std::string& path)
+{
+  program::Surface_file file;
+  try
+  {
+    Computation().run(
+        [&]
+        {
+          file = program::read_surface_file(path, {}, std::thread::hardware_concurrency());
+          check(file, path);
+        });
+  }
+  catch(const program::Input_error& error)
+  {
+    throw GP::File_error(error.what());
+  }
+  return file.number_of_polygons() > 0 ? mesh_of_file(file) : cloud_of_file(file);
+}
+
+namespace {
+
+// Registers an exception under the public name.
+template <typename Exception>
+void bind_exception(py::module_& module, const char* name, const py::handle& base)
+{
+  py::register_exception<Exception>(module, name, base).attr("__module__") = "geodesic_processing";
+}
+
+} // namespace
+
+} // namespace python
+
+PYBIND11_MODULE(_core, module)
+{
+  using namespace python;
+  bind_exception<GP::Invalid_argument_error>(module, "InvalidArgumentError", PyExc_ValueError);
+  bind_exception<GP::Unsupported_surface_error>(module, "UnsupportedSurfaceError",
+                                                PyExc_ValueError);
+  bind_exception<GP::File_error>(
+      module, "FileError", py::make_tuple(py::handle(PyExc_OSError), py::handle(PyExc_ValueError)));
+  bind_exception<GP::Cancelled>(module, "Cancelled", PyExc_Exception);
+  bind_mesh(module);
+  bind_cloud(module);
+  module.def("read", &read_surface);
+  module.def("output", [](const py::object& out, std::size_t size)
+             { return output(out, {py::ssize_t(size)}); });
+}

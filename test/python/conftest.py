@@ -1,0 +1,44 @@
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces for the tests."""
+
+import geodesic_processing as gp
+import numpy as np
+import pytest
+
+
+def grid_arrays(n, side=1.0):
+    """Returns the vertices and triangles of n x n points of a square; vertex i n + j is (i, j)."""
+    x, y = np.meshgrid(np.linspace(0, side, n), np.linspace(0, side, n), indexing="ij")
+    V = np.stack([x.ravel(), y.ravel(), np.zeros(n * n)], axis=1)
+    i = np.arange((n - 1) * n).reshape(n - 1, n)[:, :-1].ravel()
+    F = np.concatenate([np.stack([i, i + n, i + n + 1], 1), np.stack([i, i + n + 1, i + 1], 1)])
+    return V, F
+
+
+def rough_arrays(n):
+    """Returns a square with random heights, on which exact distances take long."""
+    V, F = grid_arrays(n)
+    V[:, 2] = np.random.default_rng(1).uniform(0, 2 / n, len(V))
+    return V, F
+
+
+@pytest.fixture
+def arrays():
+    return grid_arrays(11)
+
+
+@pytest.fixture
+def grid(arrays):
+    return gp.Surface(*arrays)
+
+
+@pytest.fixture
+def cloud(arrays):
+    V = arrays[0]
+    return gp.Surface(V, normals=np.tile([0.0, 0.0, 1.0], (len(V), 1)))
+
+
+@pytest.fixture(params=["mesh", "cloud"])
+def surface(request):
+    return request.getfixturevalue("grid" if request.param == "mesh" else "cloud")

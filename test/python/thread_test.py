@@ -1,0 +1,212 @@
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Python threads, callbacks and interrupts."""
+
+import os
+import signal
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import geodesic_processing as gp
+import numpy as np
+import pytest
+from conftest import grid_arrays, rough_arrays
+
+
+def in_four_threads(function, arguments):
+    with ThreadPoolExecutor(4) as pool:
+        return list(pool.map(function, arguments))
+
+
+def test_threads_share_surface(surface):
+    sources = list(range(0, 120, 6))
+    expected = [surface.distance(source) for source in sources]
+    assert np.array_equal(in_four_threads(surface.distance, sources), expected)
+
+
+def test_threads_share_path_finder(surface):
+    pairs = [(i, 120 - i) for i in range(20)]
+    expected = [surface.path(*pair) for pair in pairs]
+    for found, path in zip(in_four_threads(lambda pair: surface.path(*pair), pairs), expected):
+        assert np.array_equal(found.points, path.points) and found.length == path.length
+
+
+def test_threads_locate_at_the_same_time(arrays):
+    points = np.random.default_rng(2).uniform(0, 1, (200, 3))
+    expected = gp.Surface(*arrays).locate(points)
+    surface = gp.Surface(*arrays)  # its tree is built by one of the threads
+    for found in in_four_threads(surface.locate, [points] * 8):
+        assert np.array_equal(found.indices, expected.indices)
+        assert np.array_equal(found.coordinates, expected.coordinates)
+
+
+def test_threads_share_solver(surface):
+    solver = surface.solver()
+    possible = [surface.distance(source) for source in (0, 60, 120)]
+
+    def compute(source):
+        return solver.compute(source).distance()
+
+    # Another thread can compute between both calls, but each result is complete.
+    for result in in_four_threads(compute, [0, 60, 120] * 10):
+        assert any(np.array_equal(result, expected) for expected in possible)
+
+
+def test_other_threads_run_during_computation():
+    surface = gp.Surface(*rough_arrays(60))
+    steps = 0
+    is_finished = False
+
+    def count():
+        nonlocal steps
+        while not is_finished:
+            steps += 1
+            time.sleep(0.001)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    begin, before = time.monotonic(), steps
+    surface.distance_matrix(np.arange(20), threads=1)
+    seconds, counted = time.monotonic() - begin, steps - before
+    is_finished = True
+    counter.join()
+    # With the GIL held, no step is counted. A busy machine can delay most of them.
+    assert counted >= 1 + 20 * seconds
+
+
+def test_callback_receives_fractions():
+    surface = gp.Surface(*grid_arrays(120))
+    fractions = []
+    surface.distance(0, method="euclidean", callback=fractions.append)
+    assert len(fractions) >= 2
+    assert all(0 <= fraction <= 1 for fraction in fractions) and fractions == sorted(fractions)
+
+
+@pytest.mark.parametrize("method", ["exact", "euclidean", "fast-marching", "dijkstra", "heat"])
+def test_callback_cancels(method):
+    surface = gp.Surface(*grid_arrays(120))
+    out = np.full(surface.number_of_points, -1.0)
+    for false in (False, 0, np.False_):
+        with pytest.raises(gp.Cancelled):
+            surface.distance(0, method=method, callback=lambda fraction: false, out=out)
+    assert (out == -1).all()
+    solver = surface.solver(method)
+    with pytest.raises(gp.Cancelled):
+        solver.compute(0, callback=lambda fraction: False)
+    expected = surface.distance(0, method=method)
+    assert np.array_equal(solver.compute(0).distance(), expected)
+
+
+class Special(BaseException):
+    pass
+
+
+@pytest.mark.parametrize("function", ["distance", "distance_matrix", "farthest_points", "voronoi"])
+def test_exception_of_callback_arrives(function):
+    surface = gp.Surface(*grid_arrays(120))
+    raised = Special("reason")
+
+    def callback(fraction):
+        raise raised
+
+    argument = 20 if function == "farthest_points" else [0, 500]
+    named = {"threads": 2} if function == "distance_matrix" else {}
+    with pytest.raises(Special) as caught:
+        getattr(surface, function)(argument, callback=callback, **named)
+    assert caught.value is raised
+    assert np.isfinite(surface.distance(0)).all()
+
+
+def test_callback_cannot_use_its_solver():
+    solver = gp.Surface(*grid_arrays(120)).solver("euclidean")
+    with pytest.raises(RuntimeError):
+        solver.compute(0, callback=lambda fraction: solver.compute(1))
+    assert np.isfinite(solver.compute(0).distance()).all()
+
+
+def test_callback_can_use_its_surface(grid):
+    surface = gp.Surface(*grid_arrays(120))
+    found = []
+    surface.distance(0, method="euclidean", callback=lambda fraction: found.append(surface.path(0, 1)))
+    assert found[0].length == pytest.approx(1 / 119)
+
+
+def interrupt_after(seconds):
+    """Sends SIGINT to this process, as Ctrl-C does, and returns the time when it was sent."""
+    sent = []
+
+    def send():
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(seconds, send)
+    timer.start()
+    return timer, sent
+
+
+# Takes seconds without interrupt, so that signals arrive during the computation.
+ROUGH = rough_arrays(150)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda surface, solver: [surface.distance(0) for _ in range(100)],
+        lambda surface, solver: [solver.compute(0) for _ in range(100)],
+        lambda surface, solver: surface.distance_matrix(np.arange(2000), method="euclidean", threads=1),
+        lambda surface, solver: surface.distance_matrix(np.arange(2000), method="euclidean", threads=2),
+        lambda surface, solver: [surface.farthest_points(20000) for _ in range(100)],
+        lambda surface, solver: surface.paths([(0, 22499)] * 1000),
+    ],
+    ids=["distance", "solver", "matrix", "parallel matrix", "samples", "paths"],
+)
+def test_interrupt_raises_within_half_a_second(call):
+    surface = gp.Surface(*ROUGH)
+    solver = surface.solver()
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    timer, sent = interrupt_after(0.3)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            call(surface, solver)
+        assert time.monotonic() - sent[0] < 0.5
+    finally:
+        timer.cancel()
+        timer.join()
+        signal.signal(signal.SIGINT, handler)
+    expected = np.linalg.norm(ROUGH[0][1] - ROUGH[0][0])
+    assert surface.distance(0, max_distance=0.1)[1] <= expected
+    assert solver.compute(0, max_distance=0.1).distance(1) <= expected
+
+
+def test_waiting_thread_is_interrupted():
+    surface = gp.Surface(*ROUGH)
+    solver = surface.solver()
+    may_end = threading.Event()
+    is_running = threading.Event()
+
+    def hold(fraction):
+        is_running.set()
+        may_end.wait(0.01)
+
+    def compute():
+        while not may_end.is_set():
+            solver.compute(0, callback=hold)
+
+    other = threading.Thread(target=compute)
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    other.start()
+    is_running.wait()
+    timer, sent = interrupt_after(0.2)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            while True:
+                solver.distance(0)
+        assert time.monotonic() - sent[0] < 0.5
+    finally:
+        timer.cancel()
+        may_end.set()
+        other.join()
+        timer.join()
+        signal.signal(signal.SIGINT, handler)
+    assert solver.compute(0, max_distance=0.1).distance(0) == 0
