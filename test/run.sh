@@ -28,6 +28,7 @@ summary=() failures=0 started=$SECONDS
 
 # The numbers of checks may grow and never fall; a step fails if it finds fewer.
 min_tests=2193 min_sanitized_tests=2179 min_headers=76 min_hostile_runs=3420 min_mass_runs=226
+min_python_tests=250
 
 # step NAME COMMAND...: runs the command and adds its result and its seconds to the summary.
 step()
@@ -67,7 +68,8 @@ finish()
 packages=(g++ cmake ninja-build ccache git lld
   libcgal-dev libboost-dev libeigen3-dev libsuitesparse-dev libopenblas-dev
   libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev libassimp-dev liblemon-dev libpng-dev
-  zlib1g-dev liblz4-dev libvtk9-dev xvfb xauth python3
+  zlib1g-dev liblz4-dev libvtk9-dev xvfb xauth
+  python3-dev pybind11-dev python3-numpy python3-pytest
   doxygen texlive-binaries texlive-base libjs-mathjax clang-format-14)
 [ $quick = 1 ] || packages+=(clang-14 libclang-rt-14-dev llvm-14)
 [ $all = 0 ] || packages+=(clang-tidy-14)
@@ -150,6 +152,19 @@ run_tests()
     ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs"
 }
 
+# Builds the Python module and tests it with the interpreter of the distribution.
+check_python_module()
+{
+  cmake -S . -B $release -DGEODESIC_PROCESSING_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3 \
+    >build/python.log || { cat build/python.log; return 1; }
+  cmake --build $release -j "$jobs" --target python_module &&
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PWD/$release/python \
+      GEODESIC_PROCESSING_PROGRAM=$PWD/$release/geodesic \
+      /usr/bin/python3 -m pytest --quiet test/python | tee build/python_tests.log &&
+    at_least $min_python_tests \
+      "$(sed -n 's/^\([0-9]*\) passed.*/\1/p' build/python_tests.log)" "number of tests"
+}
+
 check_hostile_files()
 {
   bash test/hostile.sh $sanitizer/test/run_commands "$jobs" "$@" | tee build/hostile.log &&
@@ -227,6 +242,7 @@ step "packages" install_packages "${packages[@]}" || finish
 step "format" check_format
 if step "build, manual" build_release; then
   step "tests" run_tests $release $min_tests
+  step "python" check_python_module
   step "installed package" check_installed_package
   if [ -d "$data/parts" ]; then
     step "mass test" check_many_meshes

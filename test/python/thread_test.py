@@ -132,17 +132,28 @@ def test_callback_can_use_its_surface(grid):
     assert found[0].length == pytest.approx(1 / 119)
 
 
-def interrupt_after(seconds):
-    """Sends SIGINT to this process, as Ctrl-C does, and returns the time when it was sent."""
-    sent = []
+class Interrupt:
+    """Sends SIGINT to this process after some seconds, as Ctrl-C does."""
 
-    def send():
-        sent.append(time.monotonic())
+    def __init__(self, seconds):
+        self.time = None  # of the signal
+        self._timer = threading.Timer(seconds, self._send)
+
+    def _send(self):
+        self.time = time.monotonic()
         os.kill(os.getpid(), signal.SIGINT)
 
-    timer = threading.Timer(seconds, send)
-    timer.start()
-    return timer, sent
+    def __enter__(self):
+        self._handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+        return self
+
+    def start(self):
+        self._timer.start()
+
+    def __exit__(self, *exception):
+        self._timer.cancel()
+        self._timer.join()
+        signal.signal(signal.SIGINT, self._handler)
 
 
 # Takes seconds without interrupt, so that signals arrive during the computation.
@@ -164,16 +175,11 @@ ROUGH = rough_arrays(150)
 def test_interrupt_raises_within_half_a_second(call):
     surface = gp.Surface(*ROUGH)
     solver = surface.solver()
-    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
-    timer, sent = interrupt_after(0.3)
-    try:
+    with Interrupt(0.3) as interrupt:
         with pytest.raises(KeyboardInterrupt):
+            interrupt.start()
             call(surface, solver)
-        assert time.monotonic() - sent[0] < 0.5
-    finally:
-        timer.cancel()
-        timer.join()
-        signal.signal(signal.SIGINT, handler)
+        assert time.monotonic() - interrupt.time < 0.5
     expected = np.linalg.norm(ROUGH[0][1] - ROUGH[0][0])
     assert surface.distance(0, max_distance=0.1)[1] <= expected
     assert solver.compute(0, max_distance=0.1).distance(1) <= expected
@@ -194,19 +200,16 @@ def test_waiting_thread_is_interrupted():
             solver.compute(0, callback=hold)
 
     other = threading.Thread(target=compute)
-    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
     other.start()
     is_running.wait()
-    timer, sent = interrupt_after(0.2)
-    try:
-        with pytest.raises(KeyboardInterrupt):
-            while True:
-                solver.distance(0)
-        assert time.monotonic() - sent[0] < 0.5
-    finally:
-        timer.cancel()
-        may_end.set()
-        other.join()
-        timer.join()
-        signal.signal(signal.SIGINT, handler)
+    with Interrupt(0.2) as interrupt:
+        try:
+            with pytest.raises(KeyboardInterrupt):
+                interrupt.start()
+                while True:
+                    solver.distance(0)
+            assert time.monotonic() - interrupt.time < 0.5
+        finally:
+            may_end.set()
+            other.join()
     assert solver.compute(0, max_distance=0.1).distance(0) == 0

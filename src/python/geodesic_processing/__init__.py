@@ -24,10 +24,11 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
-from typing import Iterator, NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any, NamedTuple, Union, overload
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import Cancelled, FileError, InvalidArgumentError, UnsupportedSurfaceError
@@ -53,6 +54,12 @@ __all__ = [
 ]
 
 
+Callback = Callable[[float], Any]
+"""A function that takes the completed fraction."""
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
 class Location(NamedTuple):
     """A location on a mesh."""
 
@@ -71,10 +78,14 @@ class SurfelLocation(NamedTuple):
     """The components along the two axes of the tangent plane, in the unit of the coordinates."""
 
 
-class Locations(Sequence):
+OneLocation = Union[int, np.integer[Any], tuple[int, ArrayLike], Location, SurfelLocation]
+ManyLocations = Union[OneLocation, Iterable[OneLocation], NDArray[np.integer[Any]]]
+
+
+class Locations(Sequence[Union[Location, SurfelLocation]]):
     """Locations on a surface, as arrays. Its rows are ``Location`` or ``SurfelLocation``."""
 
-    def __init__(self, indices: np.ndarray, coordinates: np.ndarray) -> None:
+    def __init__(self, indices: Integers, coordinates: Floats) -> None:
         self.indices = indices
         """Shape (k,): the faces of a mesh, the surfels of a cloud."""
         self.coordinates = coordinates
@@ -83,11 +94,18 @@ class Locations(Sequence):
     def __len__(self) -> int:
         return len(self.indices)
 
-    def __getitem__(self, row):
+    @overload
+    def __getitem__(self, row: int) -> Location | SurfelLocation: ...
+
+    @overload
+    def __getitem__(self, row: slice) -> Locations: ...
+
+    def __getitem__(self, row: int | slice) -> Location | SurfelLocation | Locations:
         if isinstance(row, slice):
             return Locations(self.indices[row], self.coordinates[row])
-        kind = Location if self.coordinates.shape[1] == 3 else SurfelLocation
-        return kind(int(self.indices[row]), tuple(self.coordinates[row].tolist()))
+        index = int(self.indices[row])
+        a, b, *c = self.coordinates[row].tolist()
+        return Location(index, (a, b, c[0])) if c else SurfelLocation(index, (a, b))
 
     def __iter__(self) -> Iterator[Location | SurfelLocation]:
         return (self[row] for row in range(len(self)))
@@ -112,11 +130,11 @@ class SoupReport(NamedTuple):
 class Path(NamedTuple):
     """A path on a mesh. It has no points if its ends are not connected."""
 
-    points: np.ndarray
+    points: Floats
     """Shape (k, 3): the polyline."""
-    faces: np.ndarray
+    faces: Integers
     """Shape (k,): a face that contains the point."""
-    barycentric: np.ndarray
+    barycentric: Floats
     """Shape (k, 3): the barycentric coordinates of the points."""
     length: float
     """The length of the polyline; infinite if there is no path."""
@@ -131,11 +149,11 @@ class Path(NamedTuple):
 class SurfelPath(NamedTuple):
     """A path on a cloud. It has no points if its ends are not connected."""
 
-    points: np.ndarray
+    points: Floats
     """Shape (k, 3): the polyline."""
-    surfels: np.ndarray
+    surfels: Integers
     """Shape (k,): the surfel nearest to each point on the same sheet."""
-    offsets: np.ndarray
+    offsets: Floats
     """Shape (k, 2): the offsets in the tangent planes of the surfels."""
     length: float
     """The length of the polyline; infinite if there is no path."""
@@ -150,9 +168,9 @@ class Samples(NamedTuple):
 
     locations: Locations
     """The samples."""
-    radii: np.ndarray
+    radii: Floats
     """Shape (k,): the covering radius after each sample."""
-    labels: np.ndarray
+    labels: Integers
     """Shape (n,): the position of the nearest sample for each vertex, -1 if there is none. First
     samples have the first positions."""
 
@@ -164,20 +182,20 @@ class Bisector(NamedTuple):
     """The label of the cell on the left, seen from outside."""
     right: int
     """The label of the cell on the right."""
-    points: np.ndarray
+    points: Floats
     """Shape (k, 3): the polyline."""
-    faces: np.ndarray
+    faces: Integers
     """Shape (k,): a face that contains the point."""
-    barycentric: np.ndarray
+    barycentric: Floats
     """Shape (k, 3): the barycentric coordinates of the points."""
 
 
 class Voronoi(NamedTuple):
     """A geodesic Voronoi diagram. On clouds, only ``labels`` is not empty."""
 
-    labels: np.ndarray
+    labels: Integers
     """Shape (n,): the position of the nearest seed for each vertex, -1 if no seed reaches it."""
-    face_labels: np.ndarray
+    face_labels: Integers
     """Shape (m,): the cell that contains the centroid of each face."""
     bisectors: list[Bisector]
     """The lines between the cells."""
@@ -190,11 +208,11 @@ class Isoline(NamedTuple):
     """The value on the line."""
     is_closed: bool
     """Whether the last point equals the first one."""
-    points: np.ndarray
+    points: Floats
     """Shape (k, 3): the polyline."""
-    faces: np.ndarray
+    faces: Integers
     """Shape (k,): a face that contains the point."""
-    barycentric: np.ndarray
+    barycentric: Floats
     """Shape (k, 3): the barycentric coordinates of the points."""
     length: float
     """The length of the polyline."""
@@ -234,14 +252,15 @@ class Surface:
 
     def __init__(
         self,
-        V,
-        F=None,
+        V: ArrayLike,
+        F: ArrayLike | None = None,
         *,
-        normals=None,
-        radii=None,
-        merge_tolerance=None,
-        remove_degenerate_faces=False,
+        normals: ArrayLike | None = None,
+        radii: ArrayLike | None = None,
+        merge_tolerance: float | None = None,
+        remove_degenerate_faces: bool = False,
     ) -> None:
+        self._core: _core.Mesh | _core.Cloud
         if F is None:
             if merge_tolerance is not None or remove_degenerate_faces:
                 raise InvalidArgumentError(
@@ -254,7 +273,7 @@ class Surface:
             self._core = _core.make_mesh(V, F, merge_tolerance, bool(remove_degenerate_faces))
 
     @classmethod
-    def _of(cls, core) -> Surface:
+    def _of(cls, core: _core.Mesh | _core.Cloud) -> Surface:
         result = cls.__new__(cls)
         result._core = core
         return result
@@ -283,7 +302,7 @@ class Surface:
         return self._core.number_of_faces
 
     @property
-    def faces(self) -> np.ndarray:
+    def faces(self) -> Integers:
         """The triangles after repair, a new array of the shape (m, 3)."""
         return self._mesh("faces").faces()
 
@@ -292,7 +311,7 @@ class Surface:
         """The repairs of the polygons, and the topology of the mesh."""
         return SoupReport(**self._mesh("report").report())
 
-    def solver(self, method="auto") -> Solver:
+    def solver(self, method: str = "auto") -> Solver:
         """Returns a solver for distances from different sources.
 
         Parameters
@@ -309,17 +328,17 @@ class Surface:
 
     def distance(
         self,
-        sources,
+        sources: ManyLocations,
         *,
-        method="auto",
-        max_distance=math.inf,
-        targets=None,
-        speed=None,
-        face_speed=None,
-        offsets=None,
-        callback=None,
-        out=None,
-    ) -> np.ndarray:
+        method: str = "auto",
+        max_distance: float = math.inf,
+        targets: ManyLocations | None = None,
+        speed: ArrayLike | None = None,
+        face_speed: ArrayLike | None = None,
+        offsets: ArrayLike | None = None,
+        callback: Callback | None = None,
+        out: Floats | None = None,
+    ) -> Floats:
         """Computes the distance of each vertex to the nearest source.
 
         Parameters
@@ -374,14 +393,16 @@ class Surface:
         solver._core.write_distances(result)
         return result
 
-    def path(self, a, b) -> Path | SurfelPath:
+    def path(self, a: OneLocation, b: OneLocation) -> Path | SurfelPath:
         """Computes a shortest path between two locations; on a cloud, a locally shortest path.
 
         No other distances are computed. The first path on a cloud takes O(n log n) time.
         """
         return self.paths([(a, b)])[0]
 
-    def paths(self, pairs) -> list[Path | SurfelPath]:
+    def paths(
+        self, pairs: Iterable[tuple[OneLocation, OneLocation]] | NDArray[np.integer[Any]]
+    ) -> list[Path | SurfelPath]:
         """Computes a path for each pair of locations.
 
         Parameters
@@ -391,7 +412,7 @@ class Surface:
         """
         return [self._path(path) for path in self._core.paths(pairs)]
 
-    def locate(self, points) -> Locations:
+    def locate(self, points: ArrayLike) -> Locations:
         """Computes the location on the surface that is closest to each point.
 
         Parameters
@@ -403,14 +424,20 @@ class Surface:
         """
         return Locations(*self._core.locate(points))
 
-    def points(self, locations) -> np.ndarray:
+    def points(self, locations: ManyLocations) -> Floats:
         """Returns the points of locations, shape (k, 3)."""
         return self._core.points(locations)
 
     def distance_matrix(
-        self, sources, targets=None, *, max_distance=math.inf, method="auto", threads=None,
-        callback=None,
-    ) -> np.ndarray:
+        self,
+        sources: ManyLocations,
+        targets: ManyLocations | None = None,
+        *,
+        max_distance: float = math.inf,
+        method: str = "auto",
+        threads: int | None = None,
+        callback: Callback | None = None,
+    ) -> Floats:
         """Computes the distance from each source to each target.
 
         Parameters
@@ -438,7 +465,13 @@ class Surface:
         )
 
     def farthest_points(
-        self, n=None, radius=None, *, first=None, speed=None, callback=None
+        self,
+        n: int | None = None,
+        radius: float | None = None,
+        *,
+        first: ManyLocations | None = None,
+        speed: ArrayLike | None = None,
+        callback: Callback | None = None,
     ) -> Samples:
         """Distributes samples evenly: each sample has the largest distance to the previous ones.
 
@@ -460,7 +493,13 @@ class Surface:
         )
         return Samples(Locations(indices, coordinates), radii, labels)
 
-    def voronoi(self, seeds, *, speed=None, callback=None) -> Voronoi:
+    def voronoi(
+        self,
+        seeds: ManyLocations,
+        *,
+        speed: ArrayLike | None = None,
+        callback: Callback | None = None,
+    ) -> Voronoi:
         """Computes the nearest seed of each vertex, and on a mesh the lines between the cells.
 
         Parameters
@@ -472,13 +511,15 @@ class Surface:
         callback
             A function that takes the completed fraction.
         """
-        if self.is_cloud:
+        if isinstance(self._core, _core.Cloud):
             labels = self._core.voronoi(seeds, speed, callback)
             return Voronoi(labels, np.empty(0, np.int64), [])
         labels, face_labels, lines = self._core.voronoi(seeds, speed, callback)
         return Voronoi(labels, face_labels, [Bisector(*line) for line in lines])
 
-    def isolines(self, values, levels, *, fit_circles=False) -> list[Isoline]:
+    def isolines(
+        self, values: ArrayLike, levels: ArrayLike, *, fit_circles: bool = False
+    ) -> list[Isoline]:
         """Computes the isolines of a function on a mesh that is linear in each face.
 
         Parameters
@@ -493,17 +534,18 @@ class Surface:
         lines = self._mesh("isolines").isolines(values, levels, bool(fit_circles))
         return [Isoline(*line) for line in lines]
 
-    def _mesh(self, name):
-        if self.is_cloud:
+    def _mesh(self, name: str) -> _core.Mesh:
+        if isinstance(self._core, _core.Cloud):
             raise UnsupportedSurfaceError(f"A cloud has no faces; {name} needs a mesh.")
         return self._core
 
-    def _path(self, arrays) -> Path | SurfelPath:
+    def _path(self, arrays: _core._PathArrays) -> Path | SurfelPath:
         points, indices, coordinates, length, lower, distance = arrays
         if len(points) == 0:
             length = lower = math.inf
-        kind = SurfelPath if self.is_cloud else Path
-        return kind(points, indices, coordinates, length, lower, distance)
+        if self.is_cloud:
+            return SurfelPath(points, indices, coordinates, length, lower, distance)
+        return Path(points, indices, coordinates, length, lower, distance)
 
 
 class Solver:
@@ -513,21 +555,21 @@ class Solver:
     reached.
     """
 
-    def __init__(self, surface: Surface, method="auto") -> None:
+    def __init__(self, surface: Surface, method: str = "auto") -> None:
         self.surface = surface
         self._core = surface._core.solver(method)
 
     def compute(
         self,
-        sources,
+        sources: ManyLocations,
         *,
-        max_distance=math.inf,
-        targets=None,
-        speed=None,
-        face_speed=None,
-        offsets=None,
-        relative_tolerance=0.0,
-        callback=None,
+        max_distance: float = math.inf,
+        targets: ManyLocations | None = None,
+        speed: ArrayLike | None = None,
+        face_speed: ArrayLike | None = None,
+        offsets: ArrayLike | None = None,
+        relative_tolerance: float = 0.0,
+        callback: Callback | None = None,
     ) -> Solver:
         """Computes distances to the nearest source, and returns the solver.
 
@@ -544,7 +586,9 @@ class Solver:
         )
         return self
 
-    def distance(self, locations=None, *, out=None):
+    def distance(
+        self, locations: ManyLocations | None = None, *, out: Floats | None = None
+    ) -> Any:
         """Returns the distances of all vertices, or of locations.
 
         Parameters
@@ -566,7 +610,7 @@ class Solver:
             raise InvalidArgumentError("out cannot be combined with locations.")
         return self._core.distances(locations)
 
-    def path(self, location) -> Path | SurfelPath:
+    def path(self, location: OneLocation) -> Path | SurfelPath:
         """Returns the path from a location to its nearest source.
 
         With ``"exact"`` it is a shortest path. With other methods it is locally shortest.
@@ -574,17 +618,17 @@ class Solver:
         return self.surface._path(self._core.path(location))
 
     @property
-    def labels(self) -> np.ndarray:
+    def labels(self) -> Integers:
         """Shape (n,): the position of the nearest source for each vertex; -1 if there is none."""
         return self._core.labels()
 
     @property
-    def reached(self) -> np.ndarray:
+    def reached(self) -> Integers:
         """Shape (k,): the vertices that were reached, approximately ordered by distance."""
         return self._core.reached()
 
 
-def read(path) -> Surface:
+def read(path: str | os.PathLike[str]) -> Surface:
     """Reads a surface from a file: a mesh if it has faces, otherwise a cloud.
 
     Formats: PLY, OFF, OBJ, STL, XYZ, PWN, VTP, GLB, glTF, GIFTI and FreeSurfer, also compressed by

@@ -1,0 +1,91 @@
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lists every public function of the C++ library with its name in Python."""
+
+import re
+from pathlib import Path
+
+import geodesic_processing as gp
+
+ROOT = Path(__file__).parents[2]
+
+IN_PYTHON = {
+    "estimate_surfels": "Surface",
+    "farthest_point_sampling": "Surface.farthest_points",
+    "geodesic_distance_matrix": "Surface.distance_matrix",
+    "geodesic_distances": "Surface.distance",
+    "geodesic_path": "Solver.path",
+    "geodesic_voronoi_diagram": "Surface.voronoi",
+    "isolines": "Surface.isolines",
+    "locate_on_surface": "Surface.locate",
+    "make_domain": "Surface",
+    "surfel_geodesic_path": "Surface.path",
+    "surfel_geodesic_paths": "Surface.paths",
+}
+
+PLANNED = {
+    "bake_atlas", "bake_decals", "border_sources", "composite_decal", "curvature_speeds",
+    "decode_wavelets", "earth_movers_distance", "exponential_map", "face_distortion",
+    "farthest_vertex_sampling", "feature_distance", "fill_holes", "flattening_distortion",
+    "fuzzy_geodesic", "fuzzy_geodesic_by_distances", "geodesic_ball", "geodesic_barycenter",
+    "geodesic_base_mesh", "geodesic_bezier_curve", "geodesic_centroidal_tessellation",
+    "geodesic_delaunay_remeshing", "geodesic_diameter", "geodesic_distance_derivatives",
+    "geodesic_eccentricity", "geodesic_lle", "geodesic_mds", "geodesic_polyline",
+    "geodesic_radius", "geodesic_spline", "geodesic_voronoi_cells", "hodge_decomposition",
+    "image_speeds", "karcher_mean", "logarithmic_map", "loop_basis", "mass_density",
+    "mean_value_coordinates", "merge_distance_matrices", "minimize_distortion",
+    "parameterize_over_base", "principal_curvatures", "semi_regular_remeshing", "shorten_loop",
+    "shorten_polyline", "shortest_noncontractible_loop", "similar_curvature_speeds",
+    "sparse_geodesic_distance_matrix", "split_at_isolines", "straightest_geodesic",
+    "surface_distortion", "texture_atlas", "transport_barycenter", "transport_streamlines",
+    "transport_to_region", "volumetric_distance", "write_geodesic_distance_matrix",
+}
+
+
+def public_functions():
+    """Returns the names of the documented functions in the public headers."""
+    names = set()
+    for header in (ROOT / "include/CGAL/Geodesic_processing").glob("*.h"):
+        # A documented declaration: the comment, the template parameters, and the signature.
+        for comment in re.finditer(r"^/// \\ingroup \w+\n(?:///.*\n)*", header.read_text(), re.M):
+            declaration = comment.string[comment.end() :].split("\n\n")[0]
+            declaration = re.split(r"[{;]", declaration)[0]
+            if re.match(r"(class|struct|enum|using|inline)\b", declaration):
+                continue
+            depth = 0
+            text = ""
+            for letter in declaration:  # without template parameters
+                depth += {"<": 1, ">": -1}.get(letter, 0)
+                text += letter if depth == 0 else ""
+            text = re.sub(r"^template>\s*|^template >\s*", "", text)
+            if re.match(r"(class|struct|enum|using|inline)\b", text):
+                continue
+            if name := re.search(r"\b(?!decltype)([a-z]\w*)\(", text):
+                names.add(name[1])
+    return names
+
+
+def test_every_function_is_listed():
+    found = public_functions()
+    assert len(found) > 60
+    assert not IN_PYTHON.keys() & PLANNED
+    assert found == IN_PYTHON.keys() | PLANNED
+
+
+def test_listed_names_exist():
+    for name in IN_PYTHON.values():
+        value = gp
+        for part in name.split("."):
+            value = getattr(value, part)
+        assert value.__doc__
+
+
+def test_every_public_name_is_documented():
+    for name in gp.__all__:
+        value = getattr(gp, name)
+        if name not in ("Cancelled", "FileError", "InvalidArgumentError", "UnsupportedSurfaceError"):
+            assert value.__doc__
+        if isinstance(value, type):
+            for member, function in vars(value).items():
+                if not member.startswith("_") and callable(function):
+                    assert function.__doc__, f"{name}.{member}"

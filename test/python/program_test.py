@@ -1,0 +1,55 @@
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compares the module with the program, which calls the library in C++."""
+
+import json
+import os
+import subprocess
+
+import geodesic_processing as gp
+import numpy as np
+import pytest
+from conftest import rough_arrays
+
+PROGRAM = os.environ.get("GEODESIC_PROCESSING_PROGRAM")
+pytestmark = pytest.mark.skipif(not PROGRAM, reason="GEODESIC_PROCESSING_PROGRAM is not set")
+
+
+@pytest.fixture
+def model(tmp_path):
+    V, F = rough_arrays(12)
+    path = tmp_path / "rough.off"
+    lines = ["OFF", f"{len(V)} {len(F)} 0"]
+    lines += [" ".join(repr(float(x)) for x in p) for p in V]
+    lines += ["3 " + " ".join(str(i) for i in f) for f in F]
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def run(*arguments):
+    result = subprocess.run([PROGRAM, *map(str, arguments)], check=True, capture_output=True)
+    return result.stdout
+
+
+@pytest.mark.parametrize(
+    "method", ["automatic", "exact", "euclidean", "fast-marching", "dijkstra", "heat"]
+)
+def test_distance_equals_program(model, tmp_path, method):
+    values = tmp_path / "values.txt"
+    run("distance", model, "--source", "0,77", "--method", method, "--values", values, "--quiet")
+    name = "auto" if method == "automatic" else method
+    # The program writes the shortest text that is read as the same number.
+    assert np.array_equal(gp.read(model).distance([0, 77], method=name), np.loadtxt(values))
+
+
+def test_path_equals_program(model):
+    result = json.loads(run("path", model, "--from", 3, "--to", 140, "--json"))
+    assert gp.read(model).path(3, 140).length == result["length"]
+
+
+def test_labels_equal_program(model, tmp_path):
+    values = tmp_path / "values.txt"
+    run("voronoi", model, "--number", 5, "--values", values, "--quiet")
+    surface = gp.read(model)
+    labels = surface.voronoi(surface.farthest_points(5).locations).labels
+    assert np.array_equal(labels, np.loadtxt(values))

@@ -1,0 +1,120 @@
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Distance matrices, samples, Voronoi diagrams and isolines."""
+
+import math
+
+import geodesic_processing as gp
+import numpy as np
+import pytest
+
+ROUND_OFF = 1e-14  # as in distance_test.py
+
+
+def distances_in_space(A, B):
+    return np.linalg.norm(A[:, None] - B[None], axis=2)
+
+
+@pytest.mark.parametrize("threads", [None, 1, 3])
+def test_matrix_of_planar_mesh_is_straight(grid, arrays, threads):
+    V = arrays[0]
+    rows, columns = [0, 7, 60], [5, 118]
+    matrix = grid.distance_matrix(rows, columns, threads=threads)
+    assert np.abs(matrix - distances_in_space(V[rows], V[columns])).max() <= ROUND_OFF
+    matrix = grid.distance_matrix(rows, threads=threads)
+    assert np.abs(matrix - distances_in_space(V[rows], V[rows])).max() <= ROUND_OFF
+
+
+def test_matrix_of_locations(grid):
+    points = np.array([[0.13, 0.22, 0], [0.81, 0.37, 0], [0.5, 0.99, 0]])
+    matrix = grid.distance_matrix(grid.locate(points))
+    assert np.abs(matrix - distances_in_space(points, points)).max() <= 2 * ROUND_OFF
+
+
+def test_rows_of_matrix_are_distances(surface):
+    for method in ("auto", "fast-marching"):
+        matrix = surface.distance_matrix([3, 80], np.arange(121), method=method)
+        for row, source in zip(matrix, (3, 80)):
+            assert np.array_equal(row, surface.distance(source, method=method))
+
+
+def test_matrix_is_limited_by_maximum_distance(grid):
+    complete = grid.distance_matrix(np.arange(121))
+    limited = grid.distance_matrix(np.arange(121), max_distance=0.35)
+    assert np.array_equal(limited, np.where(complete <= 0.35, complete, math.inf))
+
+
+def test_samples_are_farthest_points(surface):
+    samples = surface.farthest_points(6)
+    assert len(samples.locations) == len(samples.radii) == 6
+    assert (np.diff(samples.radii) <= 0).all()
+    # On a cloud and a flat mesh, distances by the front are exact up to round-off errors.
+    distance = surface.distance(samples.locations)
+    assert abs(distance.max() - samples.radii[-1]) <= 1e-12
+    # The first sample is farthest from a vertex, which is a corner of the square.
+    corners = {0, 10, 110, 120}
+    first = surface.points(samples.locations[:1])[0]
+    assert any(np.abs(first - surface.points([c])[0]).max() <= ROUND_OFF for c in corners)
+
+
+def test_samples_cover_surface(surface):
+    samples = surface.farthest_points(radius=0.3)
+    assert samples.radii[-1] <= 0.3 < samples.radii[-2]
+    assert surface.distance(samples.locations).max() <= 0.3 + 1e-12
+    assert set(samples.labels) <= set(range(len(samples.locations)))
+
+
+def test_samples_continue(surface):
+    complete = surface.farthest_points(6)
+    rest = surface.farthest_points(3, first=complete.locations[:3])
+    assert np.array_equal(rest.locations.indices, complete.locations.indices[3:])
+    assert np.array_equal(rest.labels, complete.labels)
+
+
+def test_voronoi_labels_are_nearest_seeds(surface, arrays):
+    V = arrays[0]
+    seeds = [0, 58, 113]
+    nearest = distances_in_space(V, V[seeds])
+    labels = surface.voronoi(seeds).labels
+    assert labels.dtype == np.int64
+    chosen = nearest[np.arange(121), labels]
+    # At equal distances, both labels are correct.
+    assert np.abs(chosen - nearest.min(axis=1)).max() <= ROUND_OFF
+
+
+def test_bisectors_have_equal_distances(grid, arrays):
+    V = arrays[0]
+    seeds = [0, 58, 113]
+    voronoi = grid.voronoi(seeds)
+    assert len(voronoi.face_labels) == len(arrays[1]) and len(voronoi.bisectors) >= 2
+    for bisector in voronoi.bisectors:
+        left = np.linalg.norm(bisector.points - V[seeds[bisector.left]], axis=1)
+        right = np.linalg.norm(bisector.points - V[seeds[bisector.right]], axis=1)
+        # Bisectors are exact in the plane, except for Voronoi vertices, which are within a face.
+        assert np.abs((left - right)[1:-1]).max(initial=0) <= 1e-9
+        corners = V[grid.faces[bisector.faces]]
+        points = np.einsum("ij,ijk->ik", bisector.barycentric, corners)
+        assert np.abs(points - bisector.points).max() <= ROUND_OFF
+
+
+def test_voronoi_of_cloud_has_labels_only(cloud):
+    voronoi = cloud.voronoi([0, 120])
+    assert len(voronoi.face_labels) == 0 and voronoi.bisectors == []
+
+
+def test_isolines_of_coordinate_are_straight(grid, arrays):
+    lines = grid.isolines(arrays[0][:, 0], [0.25, 0.77])
+    assert [line.value for line in lines] == [0.25, 0.77]
+    for line in lines:
+        assert not line.is_closed
+        assert np.abs(line.points[:, 0] - line.value).max() <= ROUND_OFF
+        assert abs(line.length - 1) <= ROUND_OFF
+        corners = arrays[0][grid.faces[line.faces]]
+        points = np.einsum("ij,ijk->ik", line.barycentric, corners)
+        assert np.abs(points - line.points).max() <= ROUND_OFF
+
+
+def test_isolines_of_distances_are_circles(grid):
+    (line,) = grid.isolines(grid.distance(60), [0.33], fit_circles=True)
+    assert line.is_closed and np.array_equal(line.points[0], line.points[-1])
+    assert np.abs(np.linalg.norm(line.points - [0.5, 0.5, 0], axis=1) - 0.33).max() <= 1e-13
