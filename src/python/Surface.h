@@ -40,6 +40,9 @@ using GP::internal::Runtime_method;
 
 // Returns the method of a name. Throws Invalid_argument_error if it is unknown.
 Distance_method parse_method(const py::object& name);
+// Returns a number of threads; by default, that of the hardware. Throws Invalid_argument_error if it
+// is not between 1 and 1024.
+unsigned parse_threads(const py::object& threads);
 
 // A readable property map of numbers.
 template <typename Key>
@@ -78,6 +81,17 @@ template <typename Key>
 Output_map<Key, std::int64_t> label_map(py::array_t<std::int64_t>& labels)
 {
   return {labels.mutable_data(), 1};
+}
+
+// Returns the coordinates of points, one row each.
+inline py::array_t<double> point_array(const std::vector<Kernel::Point_3>& points)
+{
+  py::array_t<double> result(Shape{py::ssize_t(points.size()), 3});
+  double* next = result.mutable_data();
+  for(const Kernel::Point_3& p : points)
+    for(int k = 0; k < 3; ++k)
+      *next++ = p[k];
+  return result;
 }
 
 // A surface as Python sees it. It is immutable except for a cached path finder, which it guards.
@@ -153,7 +167,8 @@ public:
         result.emplace_back(vertex(checked_index(vertices(i), "vertex", m_number_of_points)));
       return result;
     }
-    if(py::isinstance<py::str>(object) || !py::hasattr(object, "__iter__"))
+    if(py::isinstance<py::str>(object) || py::isinstance<py::bytes>(object) ||
+       !py::hasattr(object, "__iter__"))
       reject(name + " are neither vertices nor locations.");
     for(const py::handle item : object)
       result.push_back(vertex_or_location(item));
@@ -169,22 +184,33 @@ public:
     std::optional<Numbers> values;
     if(!offsets.is_none())
       values.emplace(offsets, "offsets", Shape{py::ssize_t(positions.size())});
+    std::vector<Source> result = make_sources(positions);
+    if(values)
+      for(std::size_t i = 0; i < result.size(); ++i)
+        std::visit([&](const auto& position) { result[i] = Source(position, (*values)(i)); },
+                   positions[i]);
+    return result;
+  }
+  static std::vector<Source> make_sources(const std::vector<Vertex_or_location>& positions)
+  {
     std::vector<Source> result;
     result.reserve(positions.size());
-    for(std::size_t i = 0; i < positions.size(); ++i)
-      std::visit([&](const auto& position)
-                 { result.emplace_back(position, values ? (*values)(i) : 0.); },
-                 positions[i]);
+    for(const Vertex_or_location& any_position : positions)
+      std::visit([&](const auto& position) { result.emplace_back(position); }, any_position);
     return result;
   }
 
-  // Reads targets and calls f with a vector of vertices, or of locations. It is empty for None.
-  template <typename Function>
-  void with_targets(const py::object& targets, const Function& f) const
+  // Reads targets; empty for None.
+  std::vector<Vertex_or_location> targets(const py::object& object) const
   {
-    if(targets.is_none())
-      return f(std::vector<Vertex>());
-    const std::vector<Vertex_or_location> positions = vertices_or_locations(targets, "targets");
+    return object.is_none() ? std::vector<Vertex_or_location>()
+                            : vertices_or_locations(object, "targets");
+  }
+  // Calls f with a vector of vertices, or with one of locations. Throws Invalid_argument_error if
+  // there are both.
+  template <typename Function>
+  static void with_targets(const std::vector<Vertex_or_location>& positions, const Function& f)
+  {
     std::vector<Vertex> vertices;
     std::vector<Location> locations;
     for(const Vertex_or_location& position : positions)
@@ -216,17 +242,6 @@ public:
         *next_coordinate++ = coordinate(location, k);
     }
     return py::make_tuple(indices, coordinates);
-  }
-
-  template <typename Points>
-  static py::array_t<double> point_array(const Points& points)
-  {
-    py::array_t<double> result(Shape{py::ssize_t(points.size()), 3});
-    double* next = result.mutable_data();
-    for(const auto& p : points)
-      for(int k = 0; k < 3; ++k)
-        *next++ = p[k];
-    return result;
   }
 
   // Returns points, indices, coordinates, length, lower bound and distance of a path.
@@ -316,13 +331,15 @@ public:
     const Distance_method kind = checked_method(method);
     const double maximum_distance = number(maximum, "max_distance");
     const unsigned number_of_threads = parse_threads(threads);
-    const std::vector<Source> from = sources(source_list, py::none());
+    const auto rows = vertices_or_locations(source_list, "sources");
+    const auto columns = target_list.is_none() ? rows : targets(target_list);
+    const std::vector<Source> from = make_sources(rows);
     Computation computation(callback);
     auto result = std::make_unique<Eigen::MatrixXd>();
-    with_targets(target_list.is_none() ? source_list : target_list,
-                 [&](const auto& targets)
+    with_targets(columns,
+                 [&](const auto& positions)
                  {
-                   const auto np = GP::parameters::targets(targets)
+                   const auto np = GP::parameters::targets(positions)
                                        .maximum_distance(maximum_distance)
                                        .number_of_threads(number_of_threads)
                                        .callback(computation.callback());
@@ -361,7 +378,7 @@ public:
     py::array_t<std::int64_t> labels{Shape{py::ssize_t(m_number_of_points)}};
     Computation computation(callback);
     with_targets(
-        first,
+        targets(first),
         [&](const auto& first_samples)
         {
           const auto np = GP::parameters::covering_radius(covering_radius)
@@ -453,15 +470,6 @@ private:
     else
       return std::size_t(location.first);
   }
-  static unsigned parse_threads(const py::object& threads)
-  {
-    if(threads.is_none())
-      return std::max(1u, std::thread::hardware_concurrency());
-    const std::size_t result = index(threads, "number of threads", 1025);
-    if(result == 0)
-      reject("The number of threads is zero.");
-    return unsigned(result);
-  }
 
   Domain m_domain;
   std::size_t m_number_of_points;
@@ -488,9 +496,10 @@ public:
     Computation().run([&] { m_solver.emplace(m_surface->domain(), kind); });
   }
 
-  void compute(const py::object& source_list, const py::object& maximum, const py::object& targets,
-               const py::object& speed, const py::object& face_speed, const py::object& offsets,
-               const py::object& relative_tolerance, const py::object& callback)
+  void compute(const py::object& source_list, const py::object& maximum,
+               const py::object& target_list, const py::object& speed, const py::object& face_speed,
+               const py::object& offsets, const py::object& relative_tolerance,
+               const py::object& callback)
   {
     const auto sources = m_surface->sources(source_list, offsets);
     const double maximum_distance = number(maximum, "max_distance");
@@ -498,7 +507,7 @@ public:
     const std::optional<Numbers> speeds = m_surface->vertex_speeds(speed);
     Computation computation(callback);
     m_surface->with_targets(
-        targets,
+        m_surface->targets(target_list),
         [&](const auto& positions)
         {
           const auto np = GP::parameters::maximum_distance(maximum_distance)

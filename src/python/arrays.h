@@ -22,8 +22,8 @@ constexpr py::ssize_t any = -1;
 // Throws Invalid_argument_error with a sentence.
 [[noreturn]] void reject(const std::string& sentence);
 
-// A view of an array of numbers with one or two dimensions. float64 and float32 are read where they
-// are, with any strides; other numbers are converted to float64 first. Can be read without the GIL.
+// A view of an array of numbers with one or two dimensions. float64 and float32 are read without a
+// copy, with any strides. Other numbers are converted to float64. Can be read without the GIL.
 class Numbers
 {
 public:
@@ -55,8 +55,8 @@ private:
   bool m_is_double;
 };
 
-// A view of an array of integers, as Numbers. int32, int64, uint32 and uint64 are read where they
-// are.
+// A view of an array of integers, as Numbers. int32, int64, uint32 and uint64 are read without a
+// copy.
 class Integers
 {
 public:

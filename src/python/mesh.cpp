@@ -115,9 +115,8 @@ py::tuple voronoi(const Mesh_surface& surface, const py::object& seeds, const py
   for(const auto& bisector : bisectors)
   {
     const py::tuple locations = Mesh_surface::location_arrays(bisector.locations);
-    lines.append(py::make_tuple(bisector.left, bisector.right,
-                                Mesh_surface::point_array(bisector.points), locations[0],
-                                locations[1]));
+    lines.append(py::make_tuple(bisector.left, bisector.right, point_array(bisector.points),
+                                locations[0], locations[1]));
   }
   return py::make_tuple(labels, face_labels, lines);
 }
@@ -141,8 +140,8 @@ py::list isolines(const Mesh_surface& surface, const py::object& values, const p
   for(const auto& line : lines)
   {
     const py::tuple locations = Mesh_surface::location_arrays(line.locations);
-    result.append(py::make_tuple(line.value, line.is_closed, Mesh_surface::point_array(line.points),
-                                 locations[0], locations[1], line.length));
+    result.append(py::make_tuple(line.value, line.is_closed, point_array(line.points), locations[0],
+                                 locations[1], line.length));
   }
   return result;
 }

@@ -5,7 +5,9 @@
 
 #include "readers/Input_error.h"
 
+#include <algorithm>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace python {
@@ -24,6 +26,16 @@ Distance_method parse_method(const py::object& name)
       if(name.cast<std::string>() == text)
         return method;
   reject("method is not auto, exact, euclidean, fast-marching, dijkstra or heat.");
+}
+
+unsigned parse_threads(const py::object& threads)
+{
+  if(threads.is_none())
+    return std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t result = index(threads, "number of threads", 1025);
+  if(result == 0)
+    reject("The number of threads is zero.");
+  return unsigned(result);
 }
 
 py::object read_surface(const std::string& path)

@@ -11,6 +11,7 @@ from conftest import grid_arrays
 
 V, F = grid_arrays(3)
 NAN = np.full((9, 3), np.nan)
+INFINITE = np.full((9, 3), np.inf)
 NORMALS = np.tile([0.0, 0.0, 1.0], (9, 1))
 
 
@@ -31,7 +32,7 @@ def check_error(function, kind=gp.InvalidArgumentError):
     "arguments",
     [
         (None, F), (3, F), ("points", F), ([[1, 2, 3], [1, 2]], F), (NotAnArray(), F),
-        (V[:, :2], F), (V.ravel(), F), (V[:0], F), (V[None], F), (NAN, F), (np.full((9, 3), np.inf), F),
+        (V[:, :2], F), (V.ravel(), F), (V[:0], F), (V[None], F), (NAN, F), (INFINITE, F),
         (V.astype(complex), F), (V.astype(object), F), (V.astype("M8[s]"), F), (V > 0, F),
         (V, F[:, :2]), (V, F.ravel()), (V, F[:0]), (V, F[:, :0]), (V, F - 1), (V, F + 1),
         (V, F.astype(float)), (V, F > 0), (V, "faces"), (V, [[0, 1], [2]]), (V, [[0, 1, 2**70]]),
@@ -67,7 +68,8 @@ def test_mesh_rejects_arguments_of_clouds():
 
 
 BAD_LOCATIONS = [
-    None, -1, 9, 2**70, 1.0, True, "0", (), [], [[0, 1]], [None], [-1], [0, 9], [1.5], {}, object(),
+    [0, 9],
+    None, -1, 9, 2**70, 1.0, True, "0", b"0", (), [], [[0, 1]], [None], [-1], [1.5], {}, object(),
     np.array([]), np.array([0.0]), np.array([[0]]), np.array([-1]), np.array([9]),
     np.array([True]), np.array([2**64 - 1], np.uint64),
 ]
@@ -155,7 +157,9 @@ def test_locate_rejects(points):
     check_error(lambda: gp.Surface(V, normals=NORMALS).locate(points))
 
 
-@pytest.mark.parametrize("pairs", [[], 3, None, [0], [(0,)], [(0, 1, 2)], np.array([0, 1]), [{0, 1}]])
+@pytest.mark.parametrize(
+    "pairs", [[], 3, None, [0], [(0,)], [(0, 1, 2)], np.array([0, 1]), [{0, 1}], [b"ab", 3]]
+)
 def test_paths_reject(pairs):
     check_error(lambda: gp.Surface(V, F).paths(pairs))
 

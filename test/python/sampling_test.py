@@ -31,6 +31,10 @@ def test_matrix_of_locations(grid):
     assert np.abs(matrix - distances_in_space(points, points)).max() <= 2 * ROUND_OFF
 
 
+def test_matrix_of_iterator(grid):
+    assert np.array_equal(grid.distance_matrix(iter([3, 9])), grid.distance_matrix([3, 9]))
+
+
 def test_rows_of_matrix_are_distances(surface):
     for method in ("auto", "fast-marching"):
         matrix = surface.distance_matrix([3, 80], np.arange(121), method=method)

@@ -128,7 +128,7 @@ def test_callback_cannot_use_its_solver():
 def test_callback_can_use_its_surface(grid):
     surface = gp.Surface(*grid_arrays(120))
     found = []
-    surface.distance(0, method="euclidean", callback=lambda fraction: found.append(surface.path(0, 1)))
+    surface.distance(0, method="euclidean", callback=lambda _: found.append(surface.path(0, 1)))
     assert found[0].length == pytest.approx(1 / 119)
 
 
@@ -158,6 +158,7 @@ class Interrupt:
 
 # Takes seconds without interrupt, so that signals arrive during the computation.
 ROUGH = rough_arrays(150)
+MANY = np.arange(2000)
 
 
 @pytest.mark.parametrize(
@@ -165,8 +166,8 @@ ROUGH = rough_arrays(150)
     [
         lambda surface, solver: [surface.distance(0) for _ in range(100)],
         lambda surface, solver: [solver.compute(0) for _ in range(100)],
-        lambda surface, solver: surface.distance_matrix(np.arange(2000), method="euclidean", threads=1),
-        lambda surface, solver: surface.distance_matrix(np.arange(2000), method="euclidean", threads=2),
+        lambda surface, solver: surface.distance_matrix(MANY, method="euclidean", threads=1),
+        lambda surface, solver: surface.distance_matrix(MANY, method="euclidean", threads=2),
         lambda surface, solver: [surface.farthest_points(20000) for _ in range(100)],
         lambda surface, solver: surface.paths([(0, 22499)] * 1000),
     ],

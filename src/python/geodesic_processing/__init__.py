@@ -15,9 +15,9 @@ Conventions
   ``UnsupportedSurfaceError``. Both are subclasses of ``ValueError``.
 - Computations run without the GIL. Several threads can use the same object. A solver serves one
   thread at a time.
-- ``callback(fraction)`` is called with the completed fraction. If it returns a false value other than
-  ``None``, the function raises ``Cancelled``. If it raises an exception, this exception arrives.
-  Computations with this argument react to Ctrl-C.
+- ``callback(fraction)`` is called with the completed fraction. If it returns a false value other
+  than ``None``, the function raises ``Cancelled``. If it raises an exception, this exception
+  arrives. Computations with this argument react to Ctrl-C.
 """
 
 from __future__ import annotations
@@ -227,10 +227,11 @@ class Surface:
         Points, shape (n, 3), finite.
     F
         Polygons of a mesh, shape (m, k) with k >= 3: rows of ``V``. They need not be a manifold or
-        oriented; ``report`` has the repairs. Polygons with more than three corners are triangulated.
+        oriented; ``report`` has the repairs. Polygons with more than three corners are
+        triangulated.
     normals
-        Normals of a cloud, shape (n, 3), of any positive length. If neither ``F`` nor ``normals`` is
-        given, normals are estimated from 18 neighbors.
+        Normals of a cloud, shape (n, 3), of any positive length. If neither ``F`` nor ``normals``
+        is given, normals are estimated from 18 neighbors.
     radii
         Radii of the surfels of a cloud, shape (n,). By default, the distance to the 8th neighbor
         divided by the square root of two.
@@ -573,13 +574,13 @@ class Solver:
     ) -> Solver:
         """Computes distances to the nearest source, and returns the solver.
 
-        ``relative_tolerance`` is a fraction: ``"exact"`` merges similar windows, which takes a fifth
-        of the time, and distances have at most about half of this relative error. The other
-        parameters are those of ``Surface.distance()``.
+        ``relative_tolerance`` is a fraction, 0 by default. If it is positive, ``"exact"`` merges
+        similar windows, which is faster on smooth meshes. The relative error of a distance is then
+        at most this fraction. The other parameters are those of ``Surface.distance()``.
 
-        After an ``InvalidArgumentError`` or an ``UnsupportedSurfaceError``, the last result remains.
-        After ``Cancelled``, ``KeyboardInterrupt`` or an exception of the callback, only vertices
-        whose distances were final are reached.
+        After an ``InvalidArgumentError`` or an ``UnsupportedSurfaceError``, the last result
+        remains. After ``Cancelled``, ``KeyboardInterrupt`` or an exception of the callback, only
+        vertices whose distances were final are reached.
         """
         self._core.compute(
             sources, max_distance, targets, speed, face_speed, offsets, relative_tolerance, callback
