@@ -90,3 +90,9 @@ def test_every_public_name_is_documented():
             for member, function in vars(value).items():
                 if not member.startswith("_") and callable(function):
                     assert function.__doc__, f"{name}.{member}"
+
+
+def test_versions_are_equal():
+    in_cmake = re.search(r"project\(\w+ VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())
+    in_python = re.search(r'^version = "(.*)"', (ROOT / "pyproject.toml").read_text(), re.M)
+    assert in_cmake[1] == in_python[1]
