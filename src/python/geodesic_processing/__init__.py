@@ -455,7 +455,7 @@ class Surface:
         threads
             The number of threads. By default, that of the hardware. Results do not depend on it.
         callback
-            A function that takes the completed fraction, called before each row. It, and Ctrl-C,
+            A function that takes the completed fraction, called before each row. It and Ctrl-C
             cancel the computation before the next row.
 
         Returns
