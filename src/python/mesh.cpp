@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/Surface.h"
+#include "python/Solver.h"
 #include "python/read_surface.h"
 
 #include <CGAL/Geodesic_processing/isolines.h>
