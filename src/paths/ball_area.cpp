@@ -3,7 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/paths/ball_area.h>
 
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
-
+#include <CGAL/Geodesic_processing/internal/paths/isolines.h>
 #include "core/unfold.h"
 
 #include <algorithm>
@@ -65,20 +65,6 @@ double disk_area(const std::array<Vec2, 3>& corners, const Vec2& center, double 
   return std::max(0., area);
 }
 
-// Returns the fraction of an edge, from its end in the ball, that is in the ball: squared distances
-// are quadratic along the edge, as distances from a point in the plane.
-double fraction_in_ball(double inside, double outside, double length, double radius)
-{
-  if(inside < 0.) // The offset of a source is negative.
-    return (radius - inside) / (outside - inside);
-  const double linear = (outside - inside) * (outside + inside) - length * length;
-  const double constant = (radius - inside) * (radius + inside);
-  const double root = std::sqrt(linear * linear + 4. * length * length * constant);
-  const double t =
-      linear >= 0. ? 2. * constant / (linear + root) : (root - linear) / (2. * length * length);
-  return t >= 0. ? std::min(t, 1.) : (radius - inside) / (outside - inside);
-}
-
 // Returns the fraction of a triangle that is in the ball, which is bounded by a chord.
 double fraction_of_triangle(const Surface_arrays& t, Index triangle, const std::array<double, 3>& d,
                             double radius)
@@ -91,8 +77,9 @@ double fraction_of_triangle(const Surface_arrays& t, Index triangle, const std::
     {
       const bool is_inside = d[corner] <= radius;
       const Index halfedge = 3 * triangle + Index((corner + 1) % 3 == other ? corner : other);
-      const double fraction = fraction_in_ball(
-          d[is_inside ? corner : other], d[is_inside ? other : corner], t.length[halfedge], radius);
+      const double fraction =
+          isoline_position(d[is_inside ? corner : other], d[is_inside ? other : corner], radius,
+                           t.length[halfedge], Edge_interpolation::circular);
       product *= is_inside ? fraction : 1. - fraction;
     }
     return product;
