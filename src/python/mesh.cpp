@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/Mesh_surface.h"
 #include "python/Solver.h"
 #include "python/read_surface.h"
-
-#include <CGAL/Geodesic_processing/isolines.h>
 
 #include <boost/range/adaptor/transformed.hpp>
 #include <boost/range/irange.hpp>
@@ -11,8 +10,6 @@
 namespace python {
 
 namespace {
-
-using Mesh_surface = Surface<Mesh_domain>;
 
 // Constructs the domain of a soup that is read by two functions: the point of an index, and the
 // corner k of a polygon.
@@ -121,31 +118,6 @@ py::tuple voronoi(const Mesh_surface& surface, const py::object& seeds, const py
   return py::make_tuple(labels, face_labels, lines);
 }
 
-py::list isolines(const Mesh_surface& surface, const py::object& values, const py::object& levels,
-                  bool do_fit_circles)
-{
-  const Numbers value_array(values, "values", {py::ssize_t(surface.number_of_points())});
-  const Numbers level_array(levels, "levels", {any});
-  std::vector<double> isovalues;
-  for(std::size_t i = 0; i < level_array.size(); ++i)
-    isovalues.push_back(level_array(i));
-  std::vector<GP::Isoline<Mesh>> lines;
-  Computation().run(
-      [&]
-      {
-        GP::isolines(surface.domain(), Number_map<Mesh_surface::Vertex>{&value_array}, isovalues,
-                     std::back_inserter(lines), GP::parameters::do_fit_circles(do_fit_circles));
-      });
-  py::list result;
-  for(const auto& line : lines)
-  {
-    const py::tuple locations = Mesh_surface::location_arrays(line.locations);
-    result.append(py::make_tuple(line.value, line.is_closed, point_array(line.points), locations[0],
-                                 locations[1], line.length));
-  }
-  return result;
-}
-
 } // namespace
 
 py::object mesh_of_file(const program::Surface_file& file)
@@ -169,11 +141,9 @@ py::object mesh_of_file(const program::Surface_file& file)
 
 void bind_mesh(py::module_& module)
 {
-  bind_surface<Mesh_domain>(module, "Mesh", "Mesh_solver")
-      .def("faces", &faces)
-      .def("report", &report)
-      .def("voronoi", &voronoi)
-      .def("isolines", &isolines);
+  Mesh_class mesh = bind_surface<Mesh_domain>(module, "Mesh", "Mesh_solver");
+  mesh.def("faces", &faces).def("report", &report).def("voronoi", &voronoi);
+  bind_curves(mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

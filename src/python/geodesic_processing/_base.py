@@ -1,0 +1,34 @@
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the functions of all topics need."""
+
+from __future__ import annotations
+
+from . import _core
+from ._core import UnsupportedSurfaceError
+
+
+class Base:
+    """A surface of the extension. The functions of a topic are in a subclass."""
+
+    _core: _core.Mesh | _core.Cloud
+
+    @property
+    def is_cloud(self) -> bool:
+        """Whether the surface is a cloud."""
+        return isinstance(self._core, _core.Cloud)
+
+    @property
+    def number_of_points(self) -> int:
+        """The number of points, also of those without faces."""
+        return self._core.number_of_points
+
+    @property
+    def number_of_faces(self) -> int:
+        """The number of triangles; 0 for a cloud."""
+        return self._core.number_of_faces
+
+    def _mesh(self, name: str) -> _core.Mesh:
+        if isinstance(self._core, _core.Cloud):
+            raise UnsupportedSurfaceError(f"A cloud has no faces; {name} needs a mesh.")
+        return self._core

@@ -1,0 +1,299 @@
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Distances and paths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._base import Base
+from ._core import InvalidArgumentError
+from ._types import Callback, Floats, Integers, Locations, ManyLocations, OneLocation
+
+
+class Path(NamedTuple):
+    """A path on a mesh. It has no points if its ends are not connected."""
+
+    points: Floats
+    """Shape (k, 3): the polyline."""
+    faces: Integers
+    """Shape (k,): a face that contains the point."""
+    barycentric: Floats
+    """Shape (k, 3): the barycentric coordinates of the points."""
+    length: float
+    """The length of the polyline; infinite if there is no path."""
+    lower: float
+    """A certified lower bound of the length of all paths between its ends; infinite if there is no
+    path. It is the length minus round-off errors if the path is a shortest path. It is the straight
+    distance of the ends if the method is approximate."""
+    distance: float
+    """The distance by the method of the solver: a travel time if there are speeds."""
+
+
+class SurfelPath(NamedTuple):
+    """A path on a cloud. It has no points if its ends are not connected."""
+
+    points: Floats
+    """Shape (k, 3): the polyline."""
+    surfels: Integers
+    """Shape (k,): the surfel nearest to each point on the same sheet."""
+    offsets: Floats
+    """Shape (k, 2): the offsets in the tangent planes of the surfels."""
+    length: float
+    """The length of the polyline; infinite if there is no path."""
+    lower: float
+    """The straight distance of the ends; infinite if there is no path."""
+    distance: float
+    """The length of the smooth curve through the points, or the distance by a solver."""
+
+
+class Distances(Base):
+    """The functions of a surface for distances and paths."""
+
+    def solver(self, method: str = "auto") -> Solver:
+        """Returns a solver for distances from different sources.
+
+        Parameters
+        ----------
+        method
+            - ``"exact"``: distances on the polyhedron, up to round-off errors; on meshes only
+            - ``"euclidean"``: a circular front of second order
+            - ``"fast-marching"``: a front of first order; for speeds
+            - ``"dijkstra"``: the shortest path along edges
+            - ``"heat"``: a smooth approximation; its solver factorizes two matrices
+            - ``"auto"``: exact on meshes, unless speeds differ; otherwise euclidean
+        """
+        return Solver(self, method)
+
+    def distance(
+        self,
+        sources: ManyLocations,
+        *,
+        method: str = "auto",
+        max_distance: float = math.inf,
+        targets: ManyLocations | None = None,
+        speed: ArrayLike | None = None,
+        face_speed: ArrayLike | None = None,
+        offsets: ArrayLike | None = None,
+        callback: Callback | None = None,
+        out: Floats | None = None,
+    ) -> Floats:
+        """Computes the distance of each vertex to the nearest source.
+
+        Parameters
+        ----------
+        sources
+            A location, or a range of them.
+        method
+            As for ``solver()``.
+        max_distance
+            Vertices farther than this distance are infinitely far.
+        targets
+            A location, or a range of either vertices or other locations: the computation stops if
+            their distances are final. Other distances can be infinite.
+        speed
+            Shape (n,): the speed at the vertices, zero at obstacles. Distances are travel times.
+        face_speed
+            Shape (m,): the speed in the faces of a mesh, instead of ``speed``.
+        offsets
+            Shape (k,): the distance of each source itself.
+        callback
+            A function that takes the completed fraction.
+        out
+            A writable array of float64 of the shape (n,) that receives the result. It is unchanged
+            if the function raises an exception.
+
+        Returns
+        -------
+        The distances, shape (n,): ``out`` if it is given.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If an argument is invalid.
+        UnsupportedSurfaceError
+            If the method does not support the surface or the speeds.
+        Cancelled
+            If the callback returns a false value.
+
+        Takes O(n log n) time; ``"exact"`` takes O(n^1.5) time in practice.
+        """
+        result = _core.output(out, self.number_of_points)
+        solver = self.solver(method)
+        solver.compute(
+            sources,
+            max_distance=max_distance,
+            targets=targets,
+            speed=speed,
+            face_speed=face_speed,
+            offsets=offsets,
+            callback=callback,
+        )
+        solver._core.write_distances(result)
+        return result
+
+    def path(self, a: OneLocation, b: OneLocation) -> Path | SurfelPath:
+        """Computes a shortest path between two locations; on a cloud, a locally shortest path.
+
+        No other distances are computed. The first path on a cloud takes O(n log n) time.
+        """
+        return self.paths([(a, b)])[0]
+
+    def paths(
+        self, pairs: Iterable[tuple[OneLocation, OneLocation]] | NDArray[np.integer[Any]]
+    ) -> list[Path | SurfelPath]:
+        """Computes a path for each pair of locations.
+
+        Parameters
+        ----------
+        pairs
+            Pairs of locations, or an array of vertices of the shape (k, 2).
+        """
+        return [self._path(path) for path in self._core.paths(pairs)]
+
+    def locate(self, points: ArrayLike) -> Locations:
+        """Computes the location on the surface that is closest to each point.
+
+        Parameters
+        ----------
+        points
+            Shape (k, 3), finite.
+
+        The first call takes O(n log n) time, each point about O(log n) time.
+        """
+        return Locations(*self._core.locate(points))
+
+    def points(self, locations: ManyLocations) -> Floats:
+        """Returns the points of locations, shape (k, 3)."""
+        return self._core.points(locations)
+
+    def distance_matrix(
+        self,
+        sources: ManyLocations,
+        targets: ManyLocations | None = None,
+        *,
+        max_distance: float = math.inf,
+        method: str = "auto",
+        threads: int | None = None,
+        callback: Callback | None = None,
+    ) -> Floats:
+        """Computes the distance from each source to each target.
+
+        Parameters
+        ----------
+        sources
+            A location, or a range of them: the rows.
+        targets
+            A location, or a range of either vertices or other locations: the columns. By default,
+            the sources.
+        max_distance
+            Targets farther than this distance are infinitely far.
+        method
+            As for ``solver()``.
+        threads
+            The number of threads. By default, that of the hardware. Results do not depend on it.
+        callback
+            A function that takes the completed fraction, called before each row. It and Ctrl-C
+            cancel the computation before the next row.
+
+        Returns
+        -------
+        The distances, shape (k, l), stored by columns.
+        """
+        return self._core.distance_matrix(
+            sources, targets, max_distance, method, threads, callback
+        )
+
+    def _path(self, arrays: _core._PathArrays) -> Path | SurfelPath:
+        points, indices, coordinates, length, lower, distance = arrays
+        if len(points) == 0:
+            length = lower = math.inf
+        if self.is_cloud:
+            return SurfelPath(points, indices, coordinates, length, lower, distance)
+        return Path(points, indices, coordinates, length, lower, distance)
+
+
+class Solver:
+    """Computes distances from different sources on one surface. See ``Surface.solver()``.
+
+    Members except for ``compute()`` refer to its last call. Before the first call, no vertex is
+    reached.
+    """
+
+    def __init__(self, surface: Distances, method: str = "auto") -> None:
+        self.surface = surface
+        self._core = surface._core.solver(method)
+
+    def compute(
+        self,
+        sources: ManyLocations,
+        *,
+        max_distance: float = math.inf,
+        targets: ManyLocations | None = None,
+        speed: ArrayLike | None = None,
+        face_speed: ArrayLike | None = None,
+        offsets: ArrayLike | None = None,
+        relative_tolerance: float = 0.0,
+        callback: Callback | None = None,
+    ) -> Solver:
+        """Computes distances to the nearest source, and returns the solver.
+
+        ``relative_tolerance`` is a fraction, 0 by default. If it is positive, ``"exact"`` merges
+        similar windows, which is faster on smooth meshes. The relative error of a distance is then
+        at most this fraction. The other parameters are those of ``Surface.distance()``.
+
+        After an ``InvalidArgumentError`` or an ``UnsupportedSurfaceError``, the last result
+        remains. After ``Cancelled``, ``KeyboardInterrupt`` or an exception of the callback, only
+        vertices whose distances were final are reached.
+        """
+        self._core.compute(
+            sources, max_distance, targets, speed, face_speed, offsets, relative_tolerance, callback
+        )
+        return self
+
+    def distance(
+        self, locations: ManyLocations | None = None, *, out: Floats | None = None
+    ) -> Any:
+        """Returns the distances of all vertices, or of locations.
+
+        Parameters
+        ----------
+        locations
+            A location, or a range of them. By default, all vertices.
+        out
+            A writable array of float64 that receives the distances of all vertices.
+
+        Returns
+        -------
+        A number for a single location, otherwise an array.
+        """
+        if locations is None:
+            result = _core.output(out, self.surface.number_of_points)
+            self._core.write_distances(result)
+            return result
+        if out is not None:
+            raise InvalidArgumentError("out cannot be combined with locations.")
+        return self._core.distances(locations)
+
+    def path(self, location: OneLocation) -> Path | SurfelPath:
+        """Returns the path from a location to its nearest source.
+
+        With ``"exact"`` it is a shortest path. With other methods it is locally shortest.
+        """
+        return self.surface._path(self._core.path(location))
+
+    @property
+    def labels(self) -> Integers:
+        """Shape (n,): the position of the nearest source for each vertex; -1 if there is none."""
+        return self._core.labels()
+
+    @property
+    def reached(self) -> Integers:
+        """Shape (k,): the vertices that were reached, approximately ordered by distance."""
+        return self._core.reached()
