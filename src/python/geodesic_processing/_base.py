@@ -4,19 +4,18 @@
 
 from __future__ import annotations
 
-from . import _core
-from ._core import UnsupportedSurfaceError
+from ._core import Cloud, Mesh, UnsupportedSurfaceError
 
 
 class Base:
     """A surface of the extension. The functions of a topic are in a subclass."""
 
-    _core: _core.Mesh | _core.Cloud
+    _core: Mesh | Cloud
 
     @property
     def is_cloud(self) -> bool:
         """Whether the surface is a cloud."""
-        return isinstance(self._core, _core.Cloud)
+        return isinstance(self._core, Cloud)
 
     @property
     def number_of_points(self) -> int:
@@ -28,7 +27,7 @@ class Base:
         """The number of triangles; 0 for a cloud."""
         return self._core.number_of_faces
 
-    def _mesh(self, name: str) -> _core.Mesh:
-        if isinstance(self._core, _core.Cloud):
+    def _mesh(self, name: str) -> Mesh:
+        if isinstance(self._core, Cloud):
             raise UnsupportedSurfaceError(f"A cloud has no faces; {name} needs a mesh.")
         return self._core
