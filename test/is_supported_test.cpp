@@ -62,7 +62,7 @@ TEST(is_supported, manual_lists_all_functions)
 #undef MESHES
 #undef BOTH
 
-  std::ifstream manual(GEODESIC_PROCESSING_SOURCE "/doc/Geodesic_processing.txt");
+  std::ifstream manual(GEODESIC_PROCESSING_SOURCE "/doc/manual/surfaces.txt");
   std::vector<std::string> found;
   bool is_in_table = false;
   for(std::string line; std::getline(manual, line);)

@@ -5,7 +5,7 @@
 # that does not exist, or a status that it does not define.
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
 file(READ ${root}/demo/run.sh pictures)
-file(STRINGS ${root}/doc/Papers.txt rows REGEX "^\\| [^:]")
+file(STRINGS ${root}/doc/manual/papers.txt rows REGEX "^\\| [^:]")
 set(failures "")
 
 foreach(row IN LISTS rows)
@@ -39,5 +39,5 @@ foreach(row IN LISTS rows)
 endforeach()
 
 if(failures)
-  message(FATAL_ERROR "doc/Papers.txt has errors:\n${failures}")
+  message(FATAL_ERROR "doc/manual/papers.txt has errors:\n${failures}")
 endif()
