@@ -61,6 +61,11 @@ isolines --source 0 --divided
 loops
 loops --through 0
 loops --along 0,1,2
+path --from 0 --to 1 --through 2
+ball --source 0 --radius 0.3
+diameter --iterations 5 --radius
+curve --points 0,1,2
+curve --points 0,1,2,3 --spline --closed
 streamlines --from 0 --to 1
 volume --from 0.1,0.2,0.3 --to 0.4,0.2,0.1
 matrix --number 5 --method spectral
