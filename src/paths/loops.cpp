@@ -43,4 +43,10 @@ void shorten_loops(const Surface_arrays& triangles, std::vector<Loop>& loops)
     loop = shorten_loop(triangles, homotopy, loop).locations;
 }
 
+void shorten_noncontractible_loops(const Surface_arrays& triangles, std::vector<Loop>& loops)
+{
+  for(Loop& loop : loops)
+    loop = shorten_noncontractible_loop(triangles, loop).locations;
+}
+
 } // namespace CGAL::Geodesic_processing::internal

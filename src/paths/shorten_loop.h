@@ -21,10 +21,11 @@ namespace CGAL::Geodesic_processing::internal {
 // location is no exception. If the curve is contractible, the result is its first location.
 //
 // Algorithm: shorten_closed_geodesic() shortens the loop until it is a geodesic, or touches no
-// vertex but its first location. In the second case, the loop is cut open at the crossed edge in
-// its middle, and is shortened again. These loops converge linearly (Birkhoff 1917). If they are
-// slow, the shortest loop in the annulus of crossed triangles is computed: its length is a convex
-// function of the point at which it crosses an edge.
+// vertex but its first location. In the second case, the shortest loop in the annulus of crossed
+// triangles is computed: its length is a convex function of the point at which it crosses an edge,
+// and the square of this function is quadratic where the loop touches no vertex. If this loop is
+// not shorter, the loop is cut open in its middle, and is shortened again; these loops converge
+// linearly (Birkhoff 1917).
 //
 // Tolerance: as for shorten_geodesic(). Where the loop crosses an edge, the angle of the fixed
 // location differs from pi by less than 1e-6.
@@ -33,6 +34,11 @@ namespace CGAL::Geodesic_processing::internal {
 CGAL_GEODESIC_PROCESSING_EXPORT
 Locally_shortest_path shorten_loop(const Surface_arrays& triangles, const Homotopy& homotopy,
                                    const std::vector<Surface_location>& loop);
+
+// As shorten_loop(), for a curve that is not contractible.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Locally_shortest_path shorten_noncontractible_loop(const Surface_arrays& triangles,
+                                                   const std::vector<Surface_location>& loop);
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -143,7 +143,7 @@ OutputIterator loop_basis(const Surface& mesh, OutputIterator out,
   const auto domain = make_domain(mesh, np);
   std::vector<internal::Loop> loops = internal::loop_basis(*domain.triangles());
   if(internal::parameter(np, internal_np::do_shorten, true))
-    internal::shorten_loops(*domain.triangles(), loops);
+    internal::shorten_noncontractible_loops(*domain.triangles(), loops);
   else
     for(internal::Loop& loop : loops)
       loop.push_back(loop.front());

@@ -24,6 +24,9 @@ Loop join_loop(const std::shared_ptr<const Surface_arrays>& triangles,
 // Replaces each loop by the result of shorten_loop(), whose last location is the first one.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void shorten_loops(const Surface_arrays& triangles, std::vector<Loop>& loops);
+// As shorten_loops(), for loops that are not contractible.
+CGAL_GEODESIC_PROCESSING_EXPORT
+void shorten_noncontractible_loops(const Surface_arrays& triangles, std::vector<Loop>& loops);
 
 } // namespace CGAL::Geodesic_processing::internal
 
