@@ -206,9 +206,10 @@ public:
                             : vertices_or_locations(object, "targets");
   }
   // Calls f with a vector of vertices, or with one of locations. Throws Invalid_argument_error if
-  // there are both.
+  // there are both. `name` is that of the argument.
   template <typename Function>
-  static void with_targets(const std::vector<Vertex_or_location>& positions, const Function& f)
+  static void with_targets(const std::vector<Vertex_or_location>& positions, const Function& f,
+                           const std::string& name = "targets")
   {
     std::vector<Vertex> vertices;
     std::vector<Location> locations;
@@ -218,7 +219,7 @@ public:
       else
         locations.push_back(std::get<Location>(position));
     if(!vertices.empty() && !locations.empty())
-      reject("targets are vertices and locations. They must be either vertices or locations.");
+      reject(name + " are vertices and locations. They must be either vertices or locations.");
     if(locations.empty())
       return f(vertices);
     f(locations);
@@ -236,7 +237,7 @@ public:
     double* next_coordinate = coordinates.mutable_data();
     for(Location location : locations)
     {
-      *next_index++ = std::int64_t(element(location));
+      *next_index++ = element(location);
       for(std::size_t k = 0; k < number_of_coordinates; ++k)
         *next_coordinate++ = coordinate(location, k);
     }
@@ -462,12 +463,13 @@ private:
     else
       return location.second[k];
   }
-  static std::size_t element(const Location& location)
+  // Returns the surfel or face of a location; -1 for a vertex without faces.
+  static std::int64_t element(const Location& location)
   {
     if constexpr(is_cloud)
-      return location.surfel;
+      return std::int64_t(location.surfel);
     else
-      return std::size_t(location.first);
+      return location.first == Mesh::null_face() ? -1 : std::int64_t(std::size_t(location.first));
   }
 
   Domain m_domain;

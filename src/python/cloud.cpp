@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/Cloud_surface.h"
 #include "python/Solver.h"
 #include "python/read_surface.h"
 
@@ -10,8 +11,6 @@
 namespace python {
 
 namespace {
-
-using Cloud_surface = Surface<Cloud_domain>;
 
 template <typename Function>
 auto map_of(const Function& f)
@@ -116,7 +115,9 @@ py::object cloud_of_file(const program::Surface_file& file)
 
 void bind_cloud(py::module_& module)
 {
-  bind_surface<Cloud_domain>(module, "Cloud", "Cloud_solver").def("voronoi", &voronoi);
+  Cloud_class cloud = bind_surface<Cloud_domain>(module, "Cloud", "Cloud_solver");
+  cloud.def("voronoi", &voronoi);
+  bind_maps(cloud);
   module.def("make_cloud", &cloud_of_arrays);
 }
 

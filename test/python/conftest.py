@@ -23,6 +23,22 @@ def rough_arrays(n):
     return V, F
 
 
+def sphere_arrays(levels):
+    """Returns a unit sphere: an octahedron after a number of 1-to-4 subdivisions."""
+    V = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 0, 0], [0, -1, 0], [0, 0, -1]], float)
+    F = np.array([[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2]])
+    F = np.concatenate([F, np.where(F == 2, 5, F)[:, ::-1]])
+    for _ in range(levels):
+        edges = np.sort(np.stack([F, np.roll(F, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+        ends, middle = np.unique(edges, axis=0, return_inverse=True)
+        a, b, c = F.T
+        ab, bc, ca = (middle.reshape(-1, 3) + len(V)).T
+        V = np.concatenate([V, V[ends].sum(axis=1)])
+        V /= np.linalg.norm(V, axis=1, keepdims=True)
+        F = np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], axis=1).reshape(-1, 3)
+    return V, F
+
+
 @pytest.fixture
 def arrays():
     return grid_arrays(11)

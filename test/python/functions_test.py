@@ -11,34 +11,37 @@ ROOT = Path(__file__).parents[2]
 
 IN_PYTHON = {
     "estimate_surfels": "Surface",
+    "exponential_map": "Surface.exp_map",
     "farthest_point_sampling": "Surface.farthest_points",
     "geodesic_distance_matrix": "Surface.distance_matrix",
     "geodesic_distances": "Surface.distance",
     "geodesic_path": "Solver.path",
     "geodesic_voronoi_diagram": "Surface.voronoi",
     "isolines": "Surface.isolines",
+    "karcher_mean": "Surface.karcher_mean",
     "locate_on_surface": "Surface.locate",
+    "logarithmic_map": "Surface.log_map",
     "make_domain": "Surface",
+    "straightest_geodesic": "Surface.trace",
     "surfel_geodesic_path": "Surface.path",
     "surfel_geodesic_paths": "Surface.paths",
 }
 
 PLANNED = {
     "bake_atlas", "bake_decals", "border_sources", "composite_decal", "curvature_speeds",
-    "decode_wavelets", "earth_movers_distance", "exponential_map", "face_distortion",
-    "farthest_vertex_sampling", "feature_distance", "fill_holes", "flattening_distortion",
-    "fuzzy_geodesic", "fuzzy_geodesic_by_distances", "geodesic_ball", "geodesic_barycenter",
-    "geodesic_base_mesh", "geodesic_bezier_curve", "geodesic_centroidal_tessellation",
-    "geodesic_delaunay_remeshing", "geodesic_diameter", "geodesic_distance_derivatives",
-    "geodesic_eccentricity", "geodesic_lle", "geodesic_mds", "geodesic_polyline",
-    "geodesic_radius", "geodesic_spline", "geodesic_voronoi_cells", "hodge_decomposition",
-    "image_speeds", "karcher_mean", "logarithmic_map", "loop_basis", "mass_density",
+    "decode_wavelets", "earth_movers_distance", "face_distortion", "farthest_vertex_sampling",
+    "feature_distance", "fill_holes", "flattening_distortion", "fuzzy_geodesic",
+    "fuzzy_geodesic_by_distances", "geodesic_ball", "geodesic_barycenter", "geodesic_base_mesh",
+    "geodesic_bezier_curve", "geodesic_centroidal_tessellation", "geodesic_delaunay_remeshing",
+    "geodesic_diameter", "geodesic_distance_derivatives", "geodesic_eccentricity", "geodesic_lle",
+    "geodesic_mds", "geodesic_polyline", "geodesic_radius", "geodesic_spline",
+    "geodesic_voronoi_cells", "hodge_decomposition", "image_speeds", "loop_basis", "mass_density",
     "mean_value_coordinates", "merge_distance_matrices", "minimize_distortion",
     "parameterize_over_base", "principal_curvatures", "semi_regular_remeshing", "shorten_loop",
     "shorten_polyline", "shortest_noncontractible_loop", "similar_curvature_speeds",
-    "sparse_geodesic_distance_matrix", "split_at_isolines", "straightest_geodesic",
-    "surface_distortion", "texture_atlas", "transport_barycenter", "transport_streamlines",
-    "transport_to_region", "volumetric_distance", "write_geodesic_distance_matrix",
+    "sparse_geodesic_distance_matrix", "split_at_isolines", "surface_distortion", "texture_atlas",
+    "transport_barycenter", "transport_streamlines", "transport_to_region", "volumetric_distance",
+    "write_geodesic_distance_matrix",
 }
 
 

@@ -53,3 +53,21 @@ def test_labels_equal_program(model, tmp_path):
     surface = gp.read(model)
     labels = surface.voronoi(surface.farthest_points(5).locations).labels
     assert np.array_equal(labels, np.loadtxt(values))
+
+
+def test_logarithmic_map_equals_program(model, tmp_path):
+    values = tmp_path / "values.txt"
+    surface = gp.read(model)
+    for method in ("gradient", "exact", "discrete-exponential"):
+        run("logmap", model, "--base", 65, "--radius", 0.4, "--up", "0,1,0", "--method", method,
+            "--values", values, "--quiet")
+        uv = surface.log_map(65, 0.4, (0, 1, 0), method=method).uv
+        assert np.array_equal(uv, np.loadtxt(values), equal_nan=True)
+
+
+def test_mean_equals_program(model):
+    result = json.loads(run("karcher-mean", model, "--points", "3,60,140", "--json"))
+    mean = gp.read(model).karcher_mean([3, 60, 140])
+    # The program passes the corners of faces instead of vertices. Both are within the tolerance.
+    assert np.abs(mean.point - result["mean"]).max() <= 1e-7
+    assert abs(mean.value - result["value"]) <= 1e-12

@@ -23,6 +23,7 @@ Conventions
 from ._core import Cancelled, FileError, InvalidArgumentError, UnsupportedSurfaceError
 from ._curves import Isoline
 from ._distances import Path, Solver, SurfelPath
+from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
 from ._sampling import Bisector, Samples, Voronoi
 from ._surface import SoupReport, Surface, read
 from ._types import Location, Locations, SurfelLocation
@@ -31,14 +32,18 @@ __all__ = [
     "Bisector",
     "Cancelled",
     "FileError",
+    "Frame",
     "InvalidArgumentError",
     "Isoline",
+    "KarcherMean",
     "Location",
     "Locations",
+    "LogMap",
     "Path",
     "Samples",
     "Solver",
     "SoupReport",
+    "StraightestGeodesic",
     "Surface",
     "SurfelLocation",
     "SurfelPath",

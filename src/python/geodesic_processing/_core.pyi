@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 _Floats = NDArray[np.float64]
 _Integers = NDArray[np.int64]
+_Locations = tuple[_Integers, _Floats]
+_Frame = tuple[_Floats, _Floats, _Floats]
 _PathArrays = tuple[_Floats, _Integers, _Floats, float, float, float]
 
 class InvalidArgumentError(ValueError): ...
@@ -56,6 +58,33 @@ class _Surface:
         callback: Any,
         /,
     ) -> _Floats: ...
+    def log_map(
+        self,
+        base: Any,
+        radius: Any,
+        up: Any,
+        method: Any,
+        stencil_length: Any,
+        stencil_size: Any,
+        number_of_smoothing_steps: Any,
+        number_of_base_refinements: Any,
+        /,
+    ) -> tuple[_Floats, _Frame, _Integers, _Integers, int, int]: ...
+    def exp_map(self, base: Any, uv: Any, up: Any, /) -> _Locations: ...
+    def trace(
+        self, start: Any, vector: Any, length: Any, /
+    ) -> tuple[_Floats, _Locations, float, bool]: ...
+    def karcher_mean(
+        self,
+        points: Any,
+        weights: Any,
+        initial_location: Any,
+        tolerance: Any,
+        max_iterations: Any,
+        threads: Any,
+        callback: Any,
+        /,
+    ) -> tuple[_Locations, _Floats, float, float, bool, int]: ...
     def farthest_points(
         self, n: Any, radius: Any, first: Any, speed: Any, callback: Any, /
     ) -> tuple[_Integers, _Floats, _Floats, _Integers]: ...
