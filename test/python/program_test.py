@@ -71,3 +71,21 @@ def test_mean_equals_program(model):
     # The program passes the corners of faces instead of vertices. Both are within the tolerance.
     assert np.abs(mean.point - result["mean"]).max() <= 1e-7
     assert abs(mean.value - result["value"]) <= 1e-12
+
+
+@pytest.mark.parametrize("method", ["glle", "mds"])
+def test_flattening_equals_program(model, tmp_path, method):
+    values = tmp_path / "values.txt"
+    run("flatten", model, "--method", method, "--values", values, "--quiet")
+    surface = gp.read(model)
+    flat = surface.lle() if method == "glle" else surface.mds()
+    assert np.array_equal(flat.uv, np.loadtxt(values))
+
+
+def test_injective_flattening_equals_program(model, tmp_path):
+    values = tmp_path / "values.txt"
+    result = json.loads(run("flatten", model, "--injective", "--values", values, "--json"))
+    flat = gp.read(model).flatten()
+    assert np.array_equal(flat.uv, np.loadtxt(values))
+    for name in ("conformal", "authalic", "symmetric_dirichlet", "l2_stretch", "linf_stretch"):
+        assert getattr(flat.distortion, name) == result[name]

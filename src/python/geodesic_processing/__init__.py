@@ -23,15 +23,19 @@ Conventions
 from ._core import Cancelled, FileError, InvalidArgumentError, UnsupportedSurfaceError
 from ._curves import Isoline
 from ._distances import Path, Solver, SurfelPath
+from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
 from ._sampling import Bisector, Samples, Voronoi
 from ._surface import SoupReport, Surface, read
 from ._types import Location, Locations, SurfelLocation
 
 __all__ = [
+    "BaseFlattening",
     "Bisector",
     "Cancelled",
     "FileError",
+    "Flattening",
+    "FlatteningDistortion",
     "Frame",
     "InvalidArgumentError",
     "Isoline",

@@ -11,6 +11,7 @@ _Floats = NDArray[np.float64]
 _Integers = NDArray[np.int64]
 _Locations = tuple[_Integers, _Floats]
 _Frame = tuple[_Floats, _Floats, _Floats]
+_Distortion = tuple[float, float, float, float, float, int, int]
 _PathArrays = tuple[_Floats, _Integers, _Floats, float, float, float]
 
 class InvalidArgumentError(ValueError): ...
@@ -85,6 +86,22 @@ class _Surface:
         callback: Any,
         /,
     ) -> tuple[_Locations, _Floats, float, float, bool, int]: ...
+    def lle(
+        self,
+        injective: bool,
+        number_of_base_points: Any,
+        base_points: Any,
+        number_of_neighbors: Any,
+        flattening_start: Any,
+        number_of_rigid_steps: Any,
+        seed: Any,
+        callback: Any,
+        /,
+    ) -> tuple[_Floats, _Integers]: ...
+    def mds(
+        self, number_of_base_points: Any, base_points: Any, seed: Any, callback: Any, /
+    ) -> tuple[_Floats, _Integers]: ...
+    def flattening_distortion(self, uv: Any, /) -> _Distortion: ...
     def farthest_points(
         self, n: Any, radius: Any, first: Any, speed: Any, callback: Any, /
     ) -> tuple[_Integers, _Floats, _Floats, _Integers]: ...
@@ -99,6 +116,8 @@ class Mesh(_Surface):
     def isolines(
         self, values: Any, levels: Any, fit_circles: bool, /
     ) -> list[tuple[float, bool, _Floats, _Integers, _Floats, float]]: ...
+    def corner_distortion(self, corner_uv: Any, /) -> _Distortion: ...
+    def mean_value_coordinates(self, points: Any, callback: Any, /) -> _Floats: ...
 
 class Cloud(_Surface):
     def solver(self, method: Any, /) -> Cloud_solver: ...

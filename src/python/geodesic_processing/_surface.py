@@ -13,6 +13,7 @@ from . import _core
 from ._core import InvalidArgumentError
 from ._curves import Curves
 from ._distances import Distances
+from ._flattening import Flattenings
 from ._maps import Maps
 from ._sampling import Sampling
 from ._types import Integers
@@ -34,7 +35,7 @@ class SoupReport(NamedTuple):
     genus: int
 
 
-class Surface(Distances, Sampling, Curves, Maps):
+class Surface(Distances, Sampling, Curves, Maps, Flattenings):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
     Parameters
