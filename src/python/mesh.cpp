@@ -143,6 +143,7 @@ void bind_mesh(py::module_& module)
 {
   Mesh_class mesh = bind_surface<Mesh_domain>(module, "Mesh", "Mesh_solver");
   mesh.def("faces", &faces).def("report", &report).def("voronoi", &voronoi);
+  bind_atlas(mesh);
   bind_curves(mesh);
   bind_flattening(mesh);
   bind_maps(mesh);

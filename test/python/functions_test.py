@@ -10,6 +10,7 @@ import geodesic_processing as gp
 ROOT = Path(__file__).parents[2]
 
 IN_PYTHON = {
+    "bake_atlas": "Surface.bake_atlas",
     "estimate_surfels": "Surface",
     "exponential_map": "Surface.exp_map",
     "farthest_point_sampling": "Surface.farthest_points",
@@ -29,20 +30,21 @@ IN_PYTHON = {
     "straightest_geodesic": "Surface.trace",
     "surfel_geodesic_path": "Surface.path",
     "surfel_geodesic_paths": "Surface.paths",
+    "texture_atlas": "Surface.atlas",
 }
 
 PLANNED = {
-    "bake_atlas", "bake_decals", "border_sources", "composite_decal", "curvature_speeds",
-    "decode_wavelets", "earth_movers_distance", "face_distortion", "farthest_vertex_sampling",
-    "feature_distance", "fill_holes", "fuzzy_geodesic", "fuzzy_geodesic_by_distances",
-    "geodesic_ball", "geodesic_barycenter", "geodesic_base_mesh", "geodesic_bezier_curve",
+    "bake_decals", "border_sources", "composite_decal", "curvature_speeds", "decode_wavelets",
+    "earth_movers_distance", "face_distortion", "farthest_vertex_sampling", "feature_distance",
+    "fill_holes", "fuzzy_geodesic", "fuzzy_geodesic_by_distances", "geodesic_ball",
+    "geodesic_barycenter", "geodesic_base_mesh", "geodesic_bezier_curve",
     "geodesic_centroidal_tessellation", "geodesic_delaunay_remeshing", "geodesic_diameter",
     "geodesic_distance_derivatives", "geodesic_eccentricity", "geodesic_polyline",
     "geodesic_radius", "geodesic_spline", "geodesic_voronoi_cells", "hodge_decomposition",
     "image_speeds", "loop_basis", "mass_density", "merge_distance_matrices", "minimize_distortion",
     "parameterize_over_base", "principal_curvatures", "semi_regular_remeshing", "shorten_loop",
     "shorten_polyline", "shortest_noncontractible_loop", "similar_curvature_speeds",
-    "sparse_geodesic_distance_matrix", "split_at_isolines", "surface_distortion", "texture_atlas",
+    "sparse_geodesic_distance_matrix", "split_at_isolines", "surface_distortion",
     "transport_barycenter", "transport_streamlines", "transport_to_region", "volumetric_distance",
     "write_geodesic_distance_matrix",
 }

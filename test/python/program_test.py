@@ -89,3 +89,12 @@ def test_injective_flattening_equals_program(model, tmp_path):
     assert np.array_equal(flat.uv, np.loadtxt(values))
     for name in ("conformal", "authalic", "symmetric_dirichlet", "l2_stretch", "linf_stretch"):
         assert getattr(flat.distortion, name) == result[name]
+
+
+def test_atlas_equals_program(model, tmp_path):
+    values = tmp_path / "values.txt"
+    result = json.loads(run("atlas", model, "--number", 3, "--values", values, "--json"))
+    atlas = gp.read(model).atlas(3)
+    assert np.array_equal(atlas.corner_uv.reshape(-1, 6), np.loadtxt(values))
+    assert atlas.number_of_charts == result["charts"]
+    assert atlas.coverage == result["coverage"]

@@ -8,6 +8,8 @@ Conventions
 - A location is a vertex, a pair ``(face, barycentric)`` on a mesh, a pair ``(surfel, offset)`` on a
   cloud, or a row of ``Surface.locate(points)``. Ranges are lists or tuples of them, arrays of
   vertices, and ``Locations``. A tuple of two integers is a range of two vertices.
+- Images and textures are arrays of uint8. Their first row is the highest one, as in image files.
+  Coordinates (0, 0) of an image or a texture are its lower left corner.
 - Lengths have the unit of the coordinates. A distance is infinite if no source reaches the vertex.
 - Arrays of float64 and float32, int32, int64, uint32 and uint64 are read without a copy, with any
   strides. Others are converted.
@@ -20,6 +22,7 @@ Conventions
   arrives. Computations with this argument react to Ctrl-C.
 """
 
+from ._atlas import Atlas
 from ._core import Cancelled, FileError, InvalidArgumentError, UnsupportedSurfaceError
 from ._curves import Isoline
 from ._distances import Path, Solver, SurfelPath
@@ -30,6 +33,7 @@ from ._surface import SoupReport, Surface, read
 from ._types import Location, Locations, SurfelLocation
 
 __all__ = [
+    "Atlas",
     "BaseFlattening",
     "Bisector",
     "Cancelled",

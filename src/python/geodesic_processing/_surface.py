@@ -10,6 +10,7 @@ from typing import NamedTuple
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._atlas import Atlases
 from ._core import InvalidArgumentError
 from ._curves import Curves
 from ._distances import Distances
@@ -35,7 +36,7 @@ class SoupReport(NamedTuple):
     genus: int
 
 
-class Surface(Distances, Sampling, Curves, Maps, Flattenings):
+class Surface(Distances, Sampling, Curves, Maps, Flattenings, Atlases):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
     Parameters
