@@ -16,6 +16,7 @@ using Mesh_class = py::class_<Mesh_surface, std::shared_ptr<Mesh_surface>>;
 // instantiates many templates.
 void bind_atlas(Mesh_class& mesh);
 void bind_curves(Mesh_class& mesh);
+void bind_decals(Mesh_class& mesh);
 void bind_flattening(Mesh_class& mesh);
 void bind_maps(Mesh_class& mesh);
 

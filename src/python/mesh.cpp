@@ -145,6 +145,7 @@ void bind_mesh(py::module_& module)
   mesh.def("faces", &faces).def("report", &report).def("voronoi", &voronoi);
   bind_atlas(mesh);
   bind_curves(mesh);
+  bind_decals(mesh);
   bind_flattening(mesh);
   bind_maps(mesh);
   module.def("make_mesh", &mesh_of_arrays);

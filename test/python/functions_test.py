@@ -11,6 +11,8 @@ ROOT = Path(__file__).parents[2]
 
 IN_PYTHON = {
     "bake_atlas": "Surface.bake_atlas",
+    "bake_decals": "Surface.bake_decals",
+    "composite_decal": "Surface.composite_decal",
     "estimate_surfels": "Surface",
     "exponential_map": "Surface.exp_map",
     "farthest_point_sampling": "Surface.farthest_points",
@@ -34,19 +36,18 @@ IN_PYTHON = {
 }
 
 PLANNED = {
-    "bake_decals", "border_sources", "composite_decal", "curvature_speeds", "decode_wavelets",
-    "earth_movers_distance", "face_distortion", "farthest_vertex_sampling", "feature_distance",
-    "fill_holes", "fuzzy_geodesic", "fuzzy_geodesic_by_distances", "geodesic_ball",
-    "geodesic_barycenter", "geodesic_base_mesh", "geodesic_bezier_curve",
-    "geodesic_centroidal_tessellation", "geodesic_delaunay_remeshing", "geodesic_diameter",
-    "geodesic_distance_derivatives", "geodesic_eccentricity", "geodesic_polyline",
-    "geodesic_radius", "geodesic_spline", "geodesic_voronoi_cells", "hodge_decomposition",
-    "image_speeds", "loop_basis", "mass_density", "merge_distance_matrices", "minimize_distortion",
-    "parameterize_over_base", "principal_curvatures", "semi_regular_remeshing", "shorten_loop",
-    "shorten_polyline", "shortest_noncontractible_loop", "similar_curvature_speeds",
-    "sparse_geodesic_distance_matrix", "split_at_isolines", "surface_distortion",
-    "transport_barycenter", "transport_streamlines", "transport_to_region", "volumetric_distance",
-    "write_geodesic_distance_matrix",
+    "border_sources", "curvature_speeds", "decode_wavelets", "earth_movers_distance",
+    "face_distortion", "farthest_vertex_sampling", "feature_distance", "fill_holes",
+    "fuzzy_geodesic", "fuzzy_geodesic_by_distances", "geodesic_ball", "geodesic_barycenter",
+    "geodesic_base_mesh", "geodesic_bezier_curve", "geodesic_centroidal_tessellation",
+    "geodesic_delaunay_remeshing", "geodesic_diameter", "geodesic_distance_derivatives",
+    "geodesic_eccentricity", "geodesic_polyline", "geodesic_radius", "geodesic_spline",
+    "geodesic_voronoi_cells", "hodge_decomposition", "image_speeds", "loop_basis", "mass_density",
+    "merge_distance_matrices", "minimize_distortion", "parameterize_over_base",
+    "principal_curvatures", "semi_regular_remeshing", "shorten_loop", "shorten_polyline",
+    "shortest_noncontractible_loop", "similar_curvature_speeds", "sparse_geodesic_distance_matrix",
+    "split_at_isolines", "surface_distortion", "transport_barycenter", "transport_streamlines",
+    "transport_to_region", "volumetric_distance", "write_geodesic_distance_matrix",
 }
 
 

@@ -19,6 +19,9 @@ def use_everything(V, F):
         solver.distance(locations), solver.path(7), solver.labels, solver.reached
         s.path(0, 99), s.points(locations), s.voronoi([0, 99]), s.farthest_points(3)
         s.distance_matrix([0, 1], locations[:5])
+        s.log_map(0, 0.2), s.exp_map(0, [[0.1, 0.1]]), s.trace(0, (0.1, 0.1, 0))
+        decal = s.decal(99, (0.2, 0.2))
+        s.composite_decal(decal, np.zeros((9, 9, 4), np.uint8), np.zeros((len(V), 3), np.uint8))
         for invalid in (lambda: s.distance(-1), lambda: s.distance(0, callback=lambda f: False),
                         lambda: s.distance(0, out=V), lambda: s.locate(V[:, :2])):
             with pytest.raises((ValueError, gp.Cancelled)):

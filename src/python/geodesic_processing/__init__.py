@@ -25,6 +25,7 @@ Conventions
 from ._atlas import Atlas
 from ._core import Cancelled, FileError, InvalidArgumentError, UnsupportedSurfaceError
 from ._curves import Isoline
+from ._decals import Decal, DecalTexture
 from ._distances import Path, Solver, SurfelPath
 from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
@@ -37,6 +38,8 @@ __all__ = [
     "BaseFlattening",
     "Bisector",
     "Cancelled",
+    "Decal",
+    "DecalTexture",
     "FileError",
     "Flattening",
     "FlatteningDistortion",

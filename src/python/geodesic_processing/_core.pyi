@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 _Floats = NDArray[np.float64]
 _Integers = NDArray[np.int64]
+_Bytes = NDArray[np.uint8]
 _Locations = tuple[_Integers, _Floats]
 _Frame = tuple[_Floats, _Floats, _Floats]
 _Distortion = tuple[float, float, float, float, float, int, int]
@@ -114,6 +115,12 @@ class _Surface:
         callback: Any,
         /,
     ) -> tuple[_Integers | None, _Floats, _Integers, tuple[int, int, int, float, float]]: ...
+    def decal(
+        self, base: Any, size: Any, up: Any, method: Any, /
+    ) -> tuple[_Frame, _Integers, _Floats, _Integers, _Floats]: ...
+    def composite_decal(
+        self, vertices: Any, coordinates: Any, image: Any, colors: Any, /
+    ) -> _Bytes: ...
     def farthest_points(
         self, n: Any, radius: Any, first: Any, speed: Any, callback: Any, /
     ) -> tuple[_Integers, _Floats, _Floats, _Integers]: ...
@@ -133,6 +140,9 @@ class Mesh(_Surface):
     def texel_locations(
         self, corner_uv: Any, texture_size: Any, gutter_width: Any, /
     ) -> tuple[_Integers, _Locations]: ...
+    def bake_decals(
+        self, layers: list[tuple[Any, Any, Any]], segments: Any, background: Any, /
+    ) -> tuple[_Bytes, _Floats, _Integers]: ...
 
 class Cloud(_Surface):
     def solver(self, method: Any, /) -> Cloud_solver: ...

@@ -13,6 +13,7 @@ from . import _core
 from ._atlas import Atlases
 from ._core import InvalidArgumentError
 from ._curves import Curves
+from ._decals import Decals
 from ._distances import Distances
 from ._flattening import Flattenings
 from ._maps import Maps
@@ -36,7 +37,7 @@ class SoupReport(NamedTuple):
     genus: int
 
 
-class Surface(Distances, Sampling, Curves, Maps, Flattenings, Atlases):
+class Surface(Distances, Sampling, Curves, Maps, Flattenings, Atlases, Decals):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
     Parameters
