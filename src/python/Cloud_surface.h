@@ -16,6 +16,7 @@ using Cloud_class = py::class_<Cloud_surface, std::shared_ptr<Cloud_surface>>;
 void bind_atlas(Cloud_class& cloud);
 void bind_decals(Cloud_class& cloud);
 void bind_flattening(Cloud_class& cloud);
+void bind_fuzzy(Cloud_class& cloud);
 void bind_maps(Cloud_class& cloud);
 
 } // namespace python

@@ -18,6 +18,7 @@ void bind_atlas(Mesh_class& mesh);
 void bind_curves(Mesh_class& mesh);
 void bind_decals(Mesh_class& mesh);
 void bind_flattening(Mesh_class& mesh);
+void bind_fuzzy(Mesh_class& mesh);
 void bind_maps(Mesh_class& mesh);
 
 } // namespace python

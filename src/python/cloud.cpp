@@ -120,6 +120,7 @@ void bind_cloud(py::module_& module)
   bind_atlas(cloud);
   bind_decals(cloud);
   bind_flattening(cloud);
+  bind_fuzzy(cloud);
   bind_maps(cloud);
   module.def("make_cloud", &cloud_of_arrays);
 }

@@ -147,6 +147,7 @@ void bind_mesh(py::module_& module)
   bind_curves(mesh);
   bind_decals(mesh);
   bind_flattening(mesh);
+  bind_fuzzy(mesh);
   bind_maps(mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }

@@ -98,3 +98,15 @@ def test_atlas_equals_program(model, tmp_path):
     assert np.array_equal(atlas.corner_uv.reshape(-1, 6), np.loadtxt(values))
     assert atlas.number_of_charts == result["charts"]
     assert atlas.coverage == result["coverage"]
+
+
+def test_fuzzy_geodesics_equal_program(model, tmp_path):
+    values = tmp_path / "values.txt"
+    surface = gp.read(model)
+    run("fuzzy", model, "--from", 13, "--to", 130, "--by-distances", "--values", values, "--quiet")
+    # The program passes vertices, and the module locations at the corners of faces, whose exact
+    # distances differ by round-off errors.
+    assert np.abs(surface.fuzzy_geodesic_by_distances(13, 130) - np.loadtxt(values)).max() <= 1e-11
+    run("fuzzy", model, "--from", 13, "--to", 130, "--width", 0.15, "--values", values, "--quiet")
+    found = surface.fuzzy_geodesic(13, 130, 0.15).likelihood
+    assert np.abs(found - np.loadtxt(values)).max() <= 1e-9

@@ -28,6 +28,7 @@ from ._curves import Isoline
 from ._decals import Decal, DecalTexture
 from ._distances import Path, Solver, SurfelPath
 from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
+from ._fuzzy import FuzzyGeodesic
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
 from ._sampling import Bisector, Samples, Voronoi
 from ._surface import SoupReport, Surface, read
@@ -44,6 +45,7 @@ __all__ = [
     "Flattening",
     "FlatteningDistortion",
     "Frame",
+    "FuzzyGeodesic",
     "InvalidArgumentError",
     "Isoline",
     "KarcherMean",

@@ -121,6 +121,20 @@ class _Surface:
     def composite_decal(
         self, vertices: Any, coordinates: Any, image: Any, colors: Any, /
     ) -> _Bytes: ...
+    def fuzzy_geodesic(
+        self,
+        a: Any,
+        b: Any,
+        width: Any,
+        tolerance: Any,
+        number_of_refinements: Any,
+        speed: Any,
+        callback: Any,
+        /,
+    ) -> tuple[_Floats, float, float, float, float, int, float, bool]: ...
+    def fuzzy_geodesic_by_distances(
+        self, a: Any, b: Any, width: Any, speed: Any, callback: Any, /
+    ) -> _Floats: ...
     def farthest_points(
         self, n: Any, radius: Any, first: Any, speed: Any, callback: Any, /
     ) -> tuple[_Integers, _Floats, _Floats, _Integers]: ...

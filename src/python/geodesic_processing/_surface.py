@@ -16,6 +16,7 @@ from ._curves import Curves
 from ._decals import Decals
 from ._distances import Distances
 from ._flattening import Flattenings
+from ._fuzzy import FuzzyGeodesics
 from ._maps import Maps
 from ._sampling import Sampling
 from ._types import Integers
@@ -37,7 +38,7 @@ class SoupReport(NamedTuple):
     genus: int
 
 
-class Surface(Distances, Sampling, Curves, Maps, Flattenings, Atlases, Decals):
+class Surface(Distances, Sampling, Curves, Maps, Flattenings, Atlases, Decals, FuzzyGeodesics):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
     Parameters
