@@ -14,6 +14,7 @@ using Cloud_class = py::class_<Cloud_surface, std::shared_ptr<Cloud_surface>>;
 
 // Each adds the functions of a topic, as for meshes.
 void bind_atlas(Cloud_class& cloud);
+void bind_curves(Cloud_class& cloud);
 void bind_decals(Cloud_class& cloud);
 void bind_flattening(Cloud_class& cloud);
 void bind_fuzzy(Cloud_class& cloud);

@@ -12,6 +12,21 @@ namespace python {
 using Mesh_surface = Surface<Mesh_domain>;
 using Mesh_class = py::class_<Mesh_surface, std::shared_ptr<Mesh_surface>>;
 
+// Returns the surface of a mesh without removed elements. Its points and faces keep their order.
+std::shared_ptr<Mesh_surface> surface_of_mesh(const Mesh& mesh);
+
+// Returns the vertices of edges, one row each.
+template <typename Edges>
+py::array_t<std::int64_t> edge_array(const Mesh& mesh, const Edges& edges)
+{
+  py::array_t<std::int64_t> result(Shape{py::ssize_t(edges.size()), 2});
+  std::int64_t* next = result.mutable_data();
+  for(const Mesh::Edge_index edge : edges)
+    for(const unsigned end : {0u, 1u})
+      *next++ = std::int64_t(std::size_t(mesh.vertex(edge, end)));
+  return result;
+}
+
 // Each adds the functions of a topic. Their files are compiled separately, because each of them
 // instantiates many templates.
 void bind_atlas(Mesh_class& mesh);
@@ -20,6 +35,7 @@ void bind_decals(Mesh_class& mesh);
 void bind_flattening(Mesh_class& mesh);
 void bind_fuzzy(Mesh_class& mesh);
 void bind_maps(Mesh_class& mesh);
+void bind_measures(Mesh_class& mesh);
 
 } // namespace python
 

@@ -225,9 +225,30 @@ public:
     f(locations);
   }
 
+  // Calls f with a vector of vertices if all positions are vertices, otherwise with a vector of
+  // locations. Throws Invalid_argument_error if there are both and a vertex has no face.
+  template <typename Function>
+  auto with_positions(const std::vector<Vertex_or_location>& positions, const Function& f) const
+  {
+    std::vector<Vertex> vertices;
+    for(const Vertex_or_location& position : positions)
+      if(const Vertex* const vertex = std::get_if<Vertex>(&position))
+        vertices.push_back(*vertex);
+    if(vertices.size() == positions.size())
+      return f(vertices);
+    std::vector<Location> locations;
+    for(const Vertex_or_location& position : positions)
+      if(const Vertex* const vertex = std::get_if<Vertex>(&position))
+        locations.push_back(location_of_vertex(*vertex));
+      else
+        locations.push_back(std::get<Location>(position));
+    return f(locations);
+  }
+
   // ---- Results
 
-  // Returns the arrays of a range of locations: faces or surfels, and coordinates.
+  // Returns the arrays of a range of locations: faces or surfels, and coordinates. The face of an
+  // isolated vertex is -1.
   static py::tuple location_arrays(const std::vector<Location>& locations)
   {
     const auto size = py::ssize_t(locations.size());
@@ -286,6 +307,17 @@ public:
     return point_array(result);
   }
 
+  // Calls f with the path finder, which the first call constructs. No other thread uses it at the
+  // same time. Requires that the GIL is not held.
+  template <typename Function>
+  void use_finder(const Function& f)
+  {
+    const std::lock_guard<Guard> lock(m_finder_guard);
+    if(!m_finder)
+      m_finder.emplace(m_domain);
+    f(*m_finder);
+  }
+
   // Returns the paths between pairs of vertices or locations.
   py::list paths(const py::object& pairs)
   {
@@ -310,11 +342,11 @@ public:
       computation.run(
           [&, &from = from, &to = to]
           {
-            const std::lock_guard<Guard> lock(m_finder_guard);
-            if(!m_finder)
-              m_finder.emplace(m_domain);
-            path = std::visit([&](const auto& a, const auto& b) { return (*m_finder)(a, b); }, from,
-                              to);
+            use_finder(
+                [&](auto& finder) {
+                  path = std::visit([&](const auto& a, const auto& b) { return finder(a, b); },
+                                    from, to);
+                });
           });
       result.append(path_arrays(path));
       if(PyErr_CheckSignals() != 0)
@@ -455,6 +487,20 @@ private:
       return {i, {0., 0.}};
     else
       return {Mesh::Face_index(Mesh::size_type(i)), {0., 0., 0.}};
+  }
+  Location location_of_vertex(Vertex v) const
+  {
+    if constexpr(is_cloud)
+      return location(v);
+    else
+    {
+      // Not public: No public function returns the location of a vertex.
+      const Location result = m_domain.outer(m_domain.inner_vertex(v));
+      if(result.first == Mesh::null_face())
+        reject("The vertex " + std::to_string(std::size_t(v)) +
+               " has no face. It cannot be combined with other locations.");
+      return result;
+    }
   }
   static double& coordinate(Location& location, std::size_t k)
   {

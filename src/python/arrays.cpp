@@ -114,6 +114,15 @@ Integers::Integers(const py::handle& object, const std::string& name, const Shap
   m_step = step_of(m_array);
 }
 
+std::vector<double> numbers_of(const py::handle& object, const std::string& name, py::ssize_t size)
+{
+  const Numbers numbers(object, name, {size});
+  std::vector<double> result;
+  for(std::size_t i = 0; i < numbers.size(); ++i)
+    result.push_back(numbers(i));
+  return result;
+}
+
 py::array_t<double> output(const py::object& out, const Shape& shape)
 {
   if(out.is_none())

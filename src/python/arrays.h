@@ -88,6 +88,10 @@ private:
   bool m_is_wide, m_is_signed;
 };
 
+// Reads an array of numbers with one dimension.
+std::vector<double> numbers_of(const py::handle& object, const std::string& name,
+                               py::ssize_t size = any);
+
 // Returns a new array of float64, or `out` if it is not None. Throws Invalid_argument_error if `out`
 // is not a writable array of float64 with this shape.
 py::array_t<double> output(const py::object& out, const Shape& shape);

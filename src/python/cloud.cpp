@@ -118,6 +118,7 @@ void bind_cloud(py::module_& module)
   Cloud_class cloud = bind_surface<Cloud_domain>(module, "Cloud", "Cloud_solver");
   cloud.def("voronoi", &voronoi);
   bind_atlas(cloud);
+  bind_curves(cloud);
   bind_decals(cloud);
   bind_flattening(cloud);
   bind_fuzzy(cloud);

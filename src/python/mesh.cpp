@@ -7,6 +7,8 @@
 #include <boost/range/adaptor/transformed.hpp>
 #include <boost/range/irange.hpp>
 
+#include <array>
+
 namespace python {
 
 namespace {
@@ -120,6 +122,19 @@ py::tuple voronoi(const Mesh_surface& surface, const py::object& seeds, const py
 
 } // namespace
 
+std::shared_ptr<Mesh_surface> surface_of_mesh(const Mesh& mesh)
+{
+  const auto point_of = [&](std::size_t i) -> Kernel::Point_3
+  { return mesh.point(Mesh::Vertex_index(Mesh::size_type(i))); };
+  const auto polygon_of = [&](std::size_t f)
+  {
+    const auto h = mesh.halfedge(Mesh::Face_index(Mesh::size_type(f)));
+    return std::array<std::size_t, 3>{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+  };
+  return make_surface(mesh.number_of_vertices(), point_of, mesh.number_of_faces(), polygon_of,
+                      std::nullopt, false);
+}
+
 py::object mesh_of_file(const program::Surface_file& file)
 {
   const auto point_of = [&](std::size_t i)
@@ -149,6 +164,7 @@ void bind_mesh(py::module_& module)
   bind_flattening(mesh);
   bind_fuzzy(mesh);
   bind_maps(mesh);
+  bind_measures(mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

@@ -39,6 +39,25 @@ def sphere_arrays(levels):
     return V, F
 
 
+def prism_arrays(k, n):
+    """Returns the lateral faces of a prism with k sides, radius 1, height 1 and n rings.
+
+    Vertex i k + j is at the angle 2 pi j / k of ring i.
+    """
+    angle = 2 * np.pi * np.arange(k) / k
+    z = np.repeat(np.linspace(0, 1, n), k)
+    V = np.stack([np.tile(np.cos(angle), n), np.tile(np.sin(angle), n), z], axis=1)
+    i, j = np.meshgrid(np.arange(n - 1) * k, np.arange(k), indexing="ij")
+    a, b = (i + j).ravel(), (i + (j + 1) % k).ravel()
+    F = np.concatenate([np.stack([a, b, b + k], 1), np.stack([a, b + k, a + k], 1)])
+    return V, F
+
+
+def points_of(V, F, faces, barycentric):
+    """Returns the points with barycentric coordinates in faces."""
+    return np.einsum("ij,ijk->ik", barycentric, V[F[faces]])
+
+
 @pytest.fixture
 def arrays():
     return grid_arrays(11)

@@ -15,14 +15,17 @@ PROGRAM = os.environ.get("GEODESIC_PROCESSING_PROGRAM")
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="GEODESIC_PROCESSING_PROGRAM is not set")
 
 
-@pytest.fixture
-def model(tmp_path):
-    V, F = rough_arrays(12)
-    path = tmp_path / "rough.off"
+def write_off(path, V, F):
     lines = ["OFF", f"{len(V)} {len(F)} 0"]
     lines += [" ".join(repr(float(x)) for x in p) for p in V]
     lines += ["3 " + " ".join(str(i) for i in f) for f in F]
     path.write_text("\n".join(lines) + "\n")
+
+
+@pytest.fixture
+def model(tmp_path):
+    path = tmp_path / "rough.off"
+    write_off(path, *rough_arrays(12))
     return path
 
 
@@ -110,3 +113,26 @@ def test_fuzzy_geodesics_equal_program(model, tmp_path):
     run("fuzzy", model, "--from", 13, "--to", 130, "--width", 0.15, "--values", values, "--quiet")
     found = surface.fuzzy_geodesic(13, 130, 0.15).likelihood
     assert np.abs(found - np.loadtxt(values)).max() <= 1e-9
+
+
+def result_of(*arguments):
+    return json.loads(run(*arguments, "--json"))
+
+
+def test_curves_equal_program(model):
+    surface = gp.read(model)
+    result = result_of("curve", model, "--points", "3,70,140")
+    assert surface.bezier_curve([3, 70, 140]).length == result["length"]
+    result = result_of("curve", model, "--points", "3,70,140", "--spline", "--closed")
+    assert surface.spline([3, 70, 140], is_closed=True).length == result["length"]
+
+
+def test_measures_equal_program(model):
+    surface = gp.read(model)
+    result = result_of("ball", model, "--source", "3,70", "--radius", 0.3)
+    ball = surface.ball([3, 70], 0.3)
+    assert ball.area == result["area"] and len(ball.faces) == result["faces_inside"]
+    result = result_of("diameter", model)
+    assert (surface.diameter().lower, surface.diameter().upper) == (
+        result["lower"], result["upper"]
+    )

@@ -24,23 +24,28 @@ Conventions
 
 from ._atlas import Atlas
 from ._core import Cancelled, FileError, InvalidArgumentError, UnsupportedSurfaceError
-from ._curves import Isoline
+from ._curves import Isoline, Loop, Polyline, SplitMesh
 from ._decals import Decal, DecalTexture
 from ._distances import Path, Solver, SurfelPath
 from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
 from ._fuzzy import FuzzyGeodesic
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
+from ._measures import Ball, Diameter, DistanceDerivatives, Eccentricity, Radius
 from ._sampling import Bisector, Samples, Voronoi
 from ._surface import SoupReport, Surface, read
 from ._types import Location, Locations, SurfelLocation
 
 __all__ = [
     "Atlas",
+    "Ball",
     "BaseFlattening",
     "Bisector",
     "Cancelled",
     "Decal",
     "DecalTexture",
+    "Diameter",
+    "DistanceDerivatives",
+    "Eccentricity",
     "FileError",
     "Flattening",
     "FlatteningDistortion",
@@ -52,10 +57,14 @@ __all__ = [
     "Location",
     "Locations",
     "LogMap",
+    "Loop",
     "Path",
+    "Polyline",
+    "Radius",
     "Samples",
     "Solver",
     "SoupReport",
+    "SplitMesh",
     "StraightestGeodesic",
     "Surface",
     "SurfelLocation",

@@ -4,13 +4,23 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 from ._core import Cloud, Mesh, UnsupportedSurfaceError
+
+_Surface = TypeVar("_Surface", bound="Base")
 
 
 class Base:
     """A surface of the extension. The functions of a topic are in a subclass."""
 
     _core: Mesh | Cloud
+
+    @classmethod
+    def _of(cls: type[_Surface], core: Mesh | Cloud) -> _Surface:
+        result = cls.__new__(cls)
+        result._core = core
+        return result
 
     @property
     def is_cloud(self) -> bool:

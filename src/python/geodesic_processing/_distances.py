@@ -169,8 +169,10 @@ class Distances(Base):
         """
         return Locations(*self._core.locate(points))
 
-    def points(self, locations: ManyLocations) -> Floats:
-        """Returns the points of locations, shape (k, 3)."""
+    def points(self, locations: ManyLocations | None = None) -> Floats:
+        """Returns the points of locations, shape (k, 3); by default, of all vertices."""
+        if locations is None:
+            locations = np.arange(self.number_of_points)
         return self._core.points(locations)
 
     def distance_matrix(
@@ -211,12 +213,15 @@ class Distances(Base):
         )
 
     def _path(self, arrays: _core._PathArrays) -> Path | SurfelPath:
-        points, indices, coordinates, length, lower, distance = arrays
-        if len(points) == 0:
-            length = lower = math.inf
-        if self.is_cloud:
-            return SurfelPath(points, indices, coordinates, length, lower, distance)
-        return Path(points, indices, coordinates, length, lower, distance)
+        return SurfelPath(*_checked(arrays)) if self.is_cloud else Path(*_checked(arrays))
+
+
+def _checked(arrays: _core._PathArrays) -> _core._PathArrays:
+    """Makes the lengths infinite if there is no path."""
+    points, indices, coordinates, length, lower, distance = arrays
+    if len(points) == 0:
+        length = lower = distance = math.inf
+    return points, indices, coordinates, length, lower, distance
 
 
 class Solver:

@@ -18,6 +18,7 @@ from ._distances import Distances
 from ._flattening import Flattenings
 from ._fuzzy import FuzzyGeodesics
 from ._maps import Maps
+from ._measures import Measures
 from ._sampling import Sampling
 from ._types import Integers
 
@@ -38,7 +39,17 @@ class SoupReport(NamedTuple):
     genus: int
 
 
-class Surface(Distances, Sampling, Curves, Maps, Flattenings, Atlases, Decals, FuzzyGeodesics):
+class Surface(
+    Curves,
+    Measures,
+    Distances,
+    Sampling,
+    Maps,
+    Flattenings,
+    Atlases,
+    Decals,
+    FuzzyGeodesics,
+):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
     Parameters
@@ -91,12 +102,6 @@ class Surface(Distances, Sampling, Curves, Maps, Flattenings, Atlases, Decals, F
             if normals is not None or radii is not None:
                 raise InvalidArgumentError("A mesh has faces, but neither normals nor radii.")
             self._core = _core.make_mesh(V, F, merge_tolerance, bool(remove_degenerate_faces))
-
-    @classmethod
-    def _of(cls, core: _core.Mesh | _core.Cloud) -> Surface:
-        result = cls.__new__(cls)
-        result._core = core
-        return result
 
     def __repr__(self) -> str:
         if self.is_cloud:
