@@ -36,6 +36,8 @@ void bind_flattening(Mesh_class& mesh);
 void bind_fuzzy(Mesh_class& mesh);
 void bind_maps(Mesh_class& mesh);
 void bind_measures(Mesh_class& mesh);
+void bind_transport(Mesh_class& mesh);
+void bind_volumes(py::module_& module, Mesh_class& mesh);
 
 } // namespace python
 

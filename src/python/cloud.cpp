@@ -123,6 +123,7 @@ void bind_cloud(py::module_& module)
   bind_flattening(cloud);
   bind_fuzzy(cloud);
   bind_maps(cloud);
+  bind_transport(cloud);
   module.def("make_cloud", &cloud_of_arrays);
 }
 

@@ -165,6 +165,8 @@ void bind_mesh(py::module_& module)
   bind_fuzzy(mesh);
   bind_maps(mesh);
   bind_measures(mesh);
+  bind_transport(mesh);
+  bind_volumes(module, mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

@@ -9,7 +9,7 @@ import subprocess
 import geodesic_processing as gp
 import numpy as np
 import pytest
-from conftest import rough_arrays
+from conftest import cube_arrays, rough_arrays
 
 PROGRAM = os.environ.get("GEODESIC_PROCESSING_PROGRAM")
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="GEODESIC_PROCESSING_PROGRAM is not set")
@@ -136,3 +136,42 @@ def test_measures_equal_program(model):
     assert (surface.diameter().lower, surface.diameter().upper) == (
         result["lower"], result["upper"]
     )
+
+
+def test_transport_equals_program(model, tmp_path):
+    surface = gp.read(model)
+    values = tmp_path / "values.txt"
+    result = result_of("emd", model, "--from", 3, "--to", "70,140", "--values", values)
+    found = surface.emd(3, [70, 140])
+    assert (found.cost.lower, found.cost.upper) == (result["lower"], result["upper"])
+    assert np.array_equal(found.potential, np.loadtxt(values))
+    result = result_of("emd", model, "--from", 3, "--to", 140, "--basis", 5)
+    found = surface.emd(3, 140, 5)
+    assert (found.cost.value, found.basis_size) == (result["value"], result["basis"])
+    result = result_of("plan", model, "--from", 3, "--to", "70,140", "--capacity", "0.5,0.7")
+    found = surface.transport_to_region(3, [70, 140], capacities=[0.5, 0.7])
+    assert found.cost.value == result["value"]
+    assert found.arrivals[[70, 140]].tolist() == result["arrivals"]
+    result = result_of("streamlines", model, "--from", 3, "--to", 140, "--number", 4)
+    lines = surface.streamlines(3, 140, 4)
+    assert sum(line.has_arrived for line in lines) == result["arrived"]
+    assert np.mean([line.path.length for line in lines]) == pytest.approx(result["mean_length"])
+
+
+def test_barycenters_equal_program(model, tmp_path):
+    surface = gp.read(model)
+    values = tmp_path / "values.txt"
+    result = result_of("barycenter", model, "--points", "3,70,140", "--values", values)
+    found = surface.barycenter([3, 70, 140])
+    assert (found.value, found.distances.tolist()) == (result["value"], result["distances"])
+    assert np.array_equal(found.masses, np.loadtxt(values))
+    point = surface.geodesic_barycenter([3, 70, 140])
+    assert (point.vertex, point.value) == (result["point"], result["point_value"])
+
+
+def test_volumetric_distance_equals_program(tmp_path):
+    cube = tmp_path / "cube.off"
+    write_off(cube, *cube_arrays())
+    result = result_of("volume", cube, "--from", "0.2,0.3,0.4", "--to", "1.5,0.5,0.5")
+    cost = gp.read(cube).volumetric_distance([0.2, 0.3, 0.4], [1.5, 0.5, 0.5]).cost
+    assert (cost.lower, cost.upper) == (result["lower"], result["upper"])

@@ -33,7 +33,20 @@ from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
 from ._measures import Ball, Diameter, DistanceDerivatives, Eccentricity, Radius
 from ._sampling import Bisector, Samples, Voronoi
 from ._surface import SoupReport, Surface, read
+from ._transport import (
+    GeodesicBarycenter,
+    HodgeDecomposition,
+    MassDensity,
+    RegionTransport,
+    Streamline,
+    SurfelHodgeDecomposition,
+    Transport,
+    TransportBarycenter,
+    TransportCost,
+    mass_density,
+)
 from ._types import Location, Locations, SurfelLocation
+from ._volumes import VolumetricDistances, VolumetricMetric, VolumetricPath
 
 __all__ = [
     "Atlas",
@@ -51,6 +64,8 @@ __all__ = [
     "FlatteningDistortion",
     "Frame",
     "FuzzyGeodesic",
+    "GeodesicBarycenter",
+    "HodgeDecomposition",
     "InvalidArgumentError",
     "Isoline",
     "KarcherMean",
@@ -58,19 +73,30 @@ __all__ = [
     "Locations",
     "LogMap",
     "Loop",
+    "MassDensity",
     "Path",
     "Polyline",
     "Radius",
+    "RegionTransport",
     "Samples",
     "Solver",
     "SoupReport",
     "SplitMesh",
     "StraightestGeodesic",
+    "Streamline",
     "Surface",
+    "SurfelHodgeDecomposition",
     "SurfelLocation",
     "SurfelPath",
+    "Transport",
+    "TransportBarycenter",
+    "TransportCost",
     "UnsupportedSurfaceError",
+    "VolumetricDistances",
+    "VolumetricMetric",
+    "VolumetricPath",
     "Voronoi",
+    "mass_density",
     "read",
 ]
 

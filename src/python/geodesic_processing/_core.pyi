@@ -15,6 +15,7 @@ _Frame = tuple[_Floats, _Floats, _Floats]
 _Distortion = tuple[float, float, float, float, float, int, int]
 _PathArrays = tuple[_Floats, _Integers, _Floats, float, float, float]
 _LoopArrays = tuple[_Floats, _Integers, _Floats, float]
+_Cost = tuple[float, float, float, float, float, int, float, bool]
 _IsolineArrays = tuple[float, bool, _Floats, _Integers, _Floats, float]
 
 class InvalidArgumentError(ValueError): ...
@@ -142,6 +143,58 @@ class _Surface:
     ) -> tuple[_Integers, _Floats, _Floats, _Integers]: ...
     def polyline(self, points: Any, close: bool, /) -> tuple[_PathArrays, _Integers]: ...
     def shorten_polyline(self, points: Any, /) -> _PathArrays: ...
+    def emd(
+        self, a: Any, b: Any, setup: Any, query: Any, callback: Any, /
+    ) -> tuple[_Cost, _Floats, _Floats]: ...
+    def spectral_emd(
+        self,
+        a: Any,
+        b: Any,
+        basis: Any,
+        transport_flow: Any,
+        tolerance: Any,
+        max_iterations: Any,
+        normalize: bool,
+        callback: Any,
+        /,
+    ) -> tuple[_Cost, _Floats, int]: ...
+    def barycenter(
+        self,
+        masses: list[Any],
+        weights: Any,
+        setup: Any,
+        tolerance: Any,
+        max_iterations: Any,
+        normalize: bool,
+        callback: Any,
+        /,
+    ) -> tuple[float, float, float, _Floats, int, float, bool, _Floats, _Floats]: ...
+    def geodesic_barycenter(
+        self, locations: Any, weights: Any, speed: Any, callback: Any, /
+    ) -> tuple[int, float, _Floats]: ...
+    def transport_to_region(
+        self,
+        masses: Any,
+        region: Any,
+        capacities: Any,
+        spreading_weight: Any,
+        setup: Any,
+        query: Any,
+        callback: Any,
+        /,
+    ) -> tuple[_Cost, _Floats, _Floats, _Floats]: ...
+    def streamlines(
+        self,
+        a: Any,
+        b: Any,
+        n: Any,
+        seeds: Any,
+        straighten: bool,
+        setup: Any,
+        query: Any,
+        callback: Any,
+        /,
+    ) -> list[tuple[_PathArrays, bool]]: ...
 
 class Mesh(_Surface):
     def solver(self, method: Any, /) -> Mesh_solver: ...
@@ -191,10 +244,33 @@ class Mesh(_Surface):
     def distance_derivatives(
         self, source: Any, target: Any, vertex_tolerance: Any, second_path_tolerance: Any, /
     ) -> tuple[float, str, _Floats, _Floats, _Integers, _Floats]: ...
+    def hodge_decomposition(
+        self, field: Any, /
+    ) -> tuple[_Floats, _Floats, _Floats, _Floats, _Integers, _Floats, _Floats]: ...
+    def volumetric_metric(
+        self, number_of_refinements: Any, barycentric_coordinates: Any, /
+    ) -> Volumetric_metric: ...
 
 class Cloud(_Surface):
     def solver(self, method: Any, /) -> Cloud_solver: ...
     def voronoi(self, seeds: Any, speed: Any, callback: Any, /) -> _Integers: ...
+    def hodge_decomposition(self, field: Any, /) -> tuple[_Floats, _Floats, _Floats]: ...
+
+class Volumetric_metric:
+    def cost(
+        self,
+        a: Any,
+        b: Any,
+        tolerance: Any,
+        max_iterations: Any,
+        bound_from_above: bool,
+        callback: Any,
+        /,
+    ) -> tuple[_Cost, _Floats, _Floats]: ...
+    def costs(
+        self, a: Any, points: Any, tolerance: Any, threads: Any, callback: Any, /
+    ) -> tuple[_Floats, _Floats, _Floats, _Integers, NDArray[np.bool_]]: ...
+    def path(self, a: Any, b: Any, max_iterations: Any, /) -> tuple[_Floats, bool]: ...
 
 def make_mesh(
     V: Any, F: Any, merge_tolerance: Any, remove_degenerate_faces: bool, /

@@ -20,7 +20,9 @@ from ._fuzzy import FuzzyGeodesics
 from ._maps import Maps
 from ._measures import Measures
 from ._sampling import Sampling
+from ._transport import Transports
 from ._types import Integers
+from ._volumes import Volumes
 
 
 class SoupReport(NamedTuple):
@@ -42,6 +44,7 @@ class SoupReport(NamedTuple):
 class Surface(
     Curves,
     Measures,
+    Transports,
     Distances,
     Sampling,
     Maps,
@@ -49,6 +52,7 @@ class Surface(
     Atlases,
     Decals,
     FuzzyGeodesics,
+    Volumes,
 ):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
