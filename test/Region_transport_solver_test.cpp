@@ -229,6 +229,19 @@ TEST(Region_transport_solver, respects_limits)
 
 // Arrivals inside a face are distributed to its vertices, with the location as their center of
 // mass.
+TEST(Region_transport_solver, mass_leaves_a_full_exit)
+{
+  const Mesh mesh = mesh_of(square(12));
+  const std::vector<Vertex> exits = {at(3, 6), at(6, 6), at(9, 6)};
+  GP::Region_transport_solver<Mesh> solver(
+      mesh, exits, GP::parameters::capacities(std::vector<double>{1., 0.4, 1.}));
+  const GP::Earth_movers_cost cost = solver.compute(exits[1]);
+  EXPECT_NEAR(cost.value, 0.6 * 0.25, 0.6 * 0.25 * relative_gap);
+  // Arrivals have the accuracy of the bounds.
+  EXPECT_NEAR(solver.arrival(exits[1]), 0.4, relative_gap);
+  EXPECT_NEAR(solver.arrival(exits[0]) + solver.arrival(exits[2]), 0.6, relative_gap);
+}
+
 TEST(Region_transport_solver, accepts_locations_in_faces)
 {
   const Mesh mesh = mesh_of(square(8, 0.2));

@@ -442,7 +442,8 @@ Multilevel_transport_solver::solve_to_region(const Mass_distribution& from,
 //
 // A uniform flow carries the flux through half of the adjacent edges to a vertex. At obtuse angles,
 // other flows can carry a negative mass to a vertex, and as much more to its neighbors. Negative
-// masses are set to zero such that the sum over an exit remains equal.
+// masses are set to zero such that the sum over an exit remains equal. With limits, mass that starts
+// at an exit can leave it. The mass that stays is then divided as the mass that starts there.
 Vector Multilevel_transport_solver::arrivals(const Field& flow, const Vector& source_masses) const
 {
   const Level& coarse = base();
@@ -452,15 +453,19 @@ Vector Multilevel_transport_solver::arrivals(const Field& flow, const Vector& so
   Vector result = Vector::Zero(source_masses.size());
   for(const std::vector<Index>& exit : coarse.exits)
   {
-    double sum = 0., positive = 0.;
+    double sum = 0., positive = 0., sources = 0.;
     for(const Index vertex : exit)
     {
       sum += inflow[vertex];
       positive += std::max(inflow[vertex], 0.);
+      sources += source_masses[vertex];
     }
     const double factor = positive > 0. ? std::max(sum, 0.) / positive : 0.;
+    const double staying =
+        sources > 0. ? std::max(sources + scale * std::min(sum, 0.), 0.) / sources : 1.;
     for(const Index vertex : exit)
-      result[vertex] = scale * factor * std::max(inflow[vertex], 0.) + source_masses[vertex];
+      result[vertex] =
+          scale * factor * std::max(inflow[vertex], 0.) + staying * source_masses[vertex];
   }
   return result;
 }

@@ -216,6 +216,15 @@ def test_spreading_weight_spreads_arrivals(grid):
     assert np.abs(spread.arrivals[exits] - 1 / 3).max() <= 0.01
 
 
+def test_mass_leaves_a_full_exit(grid):
+    exits = [49, 60, 71]
+    spread = grid.transport_to_region(60, exits, spreading_weight=100.0)
+    assert np.abs(spread.arrivals[exits] - 1 / 3).max() <= 0.01
+    limited = grid.transport_to_region(60, exits, capacities=[1, 0.4, 1])
+    check_bounds(limited.cost, 0.06)
+    assert abs(limited.arrivals[60] - 0.4) <= GAP and abs(limited.arrivals.sum() - 1) <= GAP
+
+
 def test_region_on_cloud(cloud):
     result = cloud.transport_to_region([60, 61], 0)
     assert abs(result.arrivals[0] - 1) <= 1e-6
