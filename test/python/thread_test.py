@@ -170,8 +170,9 @@ MANY = np.arange(2000)
         lambda surface, solver: surface.distance_matrix(MANY, method="euclidean", threads=2),
         lambda surface, solver: [surface.farthest_points(20000) for _ in range(100)],
         lambda surface, solver: surface.paths([(0, 22499)] * 1000),
+        lambda surface, solver: [surface.diameter(relative_tolerance=0) for _ in range(100)],
     ],
-    ids=["distance", "solver", "matrix", "parallel matrix", "samples", "paths"],
+    ids=["distance", "solver", "matrix", "parallel matrix", "samples", "paths", "diameter"],
 )
 def test_interrupt_raises_within_half_a_second(call):
     surface = gp.Surface(*ROUGH)
@@ -184,6 +185,26 @@ def test_interrupt_raises_within_half_a_second(call):
     expected = np.linalg.norm(ROUGH[0][1] - ROUGH[0][0])
     assert surface.distance(0, max_distance=0.1)[1] <= expected
     assert solver.compute(0, max_distance=0.1).distance(1) <= expected
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda surface: surface.emd(0, 1599),
+        lambda surface: surface.barycenter([0, 1599]),
+        lambda surface: surface.transport_to_region(0, 1599),
+        lambda surface: surface.geodesic_barycenter([0, 1599]),
+    ],
+    ids=["emd", "barycenter", "region", "geodesic barycenter"],
+)
+def test_transport_is_interrupted_between_factorizations(call):
+    surface = gp.Surface(*rough_arrays(40))  # each factorization takes some hundredths of a second
+    with Interrupt(0.2) as interrupt:
+        with pytest.raises(KeyboardInterrupt):
+            interrupt.start()
+            while True:
+                call(surface)
+        assert time.monotonic() - interrupt.time < 0.5
 
 
 def test_waiting_thread_is_interrupted():
