@@ -4,6 +4,8 @@
 
 #include "Mesh_of.h"
 
+#include <CGAL/Point_set_3.h>
+
 #include <boost/property_map/property_map.hpp>
 
 #include <gtest/gtest.h>
@@ -329,6 +331,58 @@ TEST(Callback, cancels_transport)
                       [&](const auto& np) { volume.cost(from, to.front(), np.tolerance(1e-4)); });
   expect_cancellation("volume, several",
                       [&](const auto& np) { volume.costs(from, to, np.tolerance(1e-4)); });
+}
+
+TEST(Callback, cancels_construction_of_domains)
+{
+  const Triangulation sphere = icosphere(2);
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  for(const Point& p : sphere.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  for(std::size_t i = 0; i < sphere.corners.size(); i += 3)
+    polygons.push_back({sphere.corners[i], sphere.corners[i + 1], sphere.corners[i + 2]});
+  expect_cancellation("soup", [&](const auto& np) { GP::make_domain(points, polygons, np); });
+  polygons.push_back(polygons.front()); // a soup that is repaired
+  expect_cancellation("repaired soup",
+                      [&](const auto& np) { GP::make_domain(points, polygons, np); });
+  const Surfels surfels = sphere_surfels(2);
+  expect_cancellation(
+      "cloud",
+      [&](const auto& np) {
+        GP::make_domain(surfels, np.point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
+      });
+  using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
+  Point_set cloud;
+  for(const auto& point : points)
+    cloud.insert(point);
+  expect_cancellation(
+      "estimation of surfels", [&] { return cloud; },
+      [&](Point_set& outputs, const auto& np) { GP::estimate_surfels(outputs, np); },
+      [](const Point_set& outputs) { return !outputs.has_normal_map(); });
+}
+
+TEST(Callback, cancels_preparation_and_curves)
+{
+  const Mesh mesh = mesh_of(jittered(icosphere(3), 0.01));
+  using Heat_distances = GP::Geodesic_distance_solver<Mesh, GP::Heat>;
+  expect_cancellation("heat", [&](const auto& np) { Heat_distances(mesh, np); });
+  std::vector<double> heights;
+  for(const Vertex v : mesh.vertices())
+    heights.push_back(mesh.point(v).z());
+  using Isolines = std::vector<GP::Isoline<Mesh>>;
+  expect_cancellation(
+      "isolines", [] { return Isolines(); },
+      [&](Isolines& lines, const auto& np)
+      {
+        GP::isolines(mesh, CGAL::make_property_map(heights), std::vector<double>{-0.5, 0., 0.5},
+                     std::back_inserter(lines), np);
+      },
+      [](const Isolines& lines) { return lines.empty(); });
+  GP::Geodesic_path_finder<Mesh> finder(mesh);
+  const double length = finder(Vertex(3), Vertex(200)).length;
+  expect_cancellation("path", [&](const auto& np) { finder(Vertex(3), Vertex(200), np); });
+  EXPECT_EQ(finder(Vertex(3), Vertex(200)).length, length);
 }
 
 } // namespace callback_test

@@ -212,6 +212,33 @@ TEST(Geodesic_distance_matrix, callback_cancels)
   }
 }
 
+// A row calls it every 4,096 vertices.
+TEST(Geodesic_distance_matrix, callback_is_called_during_rows)
+{
+  const Mesh mesh = mesh_of(icosphere(5)); // 10,242 vertices
+  const std::vector<Vertex> sources = {Vertex(0), Vertex(1)};
+  for(const int last_call : {100, 2})
+  {
+    int calls = 0;
+    double last_fraction = 0.;
+    const std::function<bool(double)> callback = [&](double fraction)
+    {
+      EXPECT_GE(fraction, last_fraction);
+      last_fraction = fraction;
+      return ++calls < last_call;
+    };
+    const auto np = GP::parameters::callback(callback);
+    if(last_call == 2)
+      EXPECT_THROW(
+          GP::geodesic_distance_matrix<GP::Dijkstra>(mesh, sources, np.targets(mesh.vertices())),
+          GP::Cancelled);
+    else
+      GP::geodesic_distance_matrix<GP::Dijkstra>(mesh, sources, np.targets(mesh.vertices()));
+    EXPECT_GE(calls, last_call == 2 ? 2 : 6);
+    EXPECT_EQ(last_fraction, last_call == 2 ? 0. : 0.5);
+  }
+}
+
 TEST(Geodesic_distance_matrix, throws_on_invalid_input)
 {
   const Mesh mesh = mesh_of(tetrahedron());

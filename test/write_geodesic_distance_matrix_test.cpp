@@ -18,8 +18,10 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -315,6 +317,61 @@ TEST_F(Write_geodesic_distance_matrix, rejects_distances_too_large_for_float)
   GP::write_geodesic_distance_matrix<GP::Exact, CGAL::Sequential_tag, float>(
       large, one, path, GP::parameters::maximum_distance(0.).targets(vertices));
   EXPECT_EQ(matrix<float>(1, Eigen::Index(vertices.size())).maxCoeff(), infinity);
+}
+
+template <typename Number>
+using Row_major = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+TEST_F(Write_geodesic_distance_matrix, writes_to_memory)
+{
+  std::vector<int> region;
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    region.push_back(int(i % 5) - 1);
+  const auto map = CGAL::make_property_map(region);
+  const auto n = Eigen::Index(vertices.size());
+  const auto expect_same = [&](Eigen::Index rows, Eigen::Index columns, const auto& np)
+  {
+    GP::write_geodesic_distance_matrix(mesh, vertices, path, np);
+    const Eigen::MatrixXd expected = matrix(rows, columns);
+    Row_major<double> doubles(rows, columns);
+    GP::write_geodesic_distance_matrix<GP::Exact, CGAL::Parallel_tag>(mesh, vertices, doubles,
+                                                                      np.number_of_threads(2));
+    EXPECT_EQ(doubles, expected);
+    // The rows of a map can have gaps, which remain.
+    std::vector<float> memory(std::size_t(rows * (columns + 1)), -1.f);
+    Eigen::Map<Row_major<float>, 0, Eigen::OuterStride<>> floats(memory.data(), rows, columns,
+                                                                 Eigen::OuterStride<>(columns + 1));
+    GP::write_geodesic_distance_matrix(mesh, vertices, floats, np);
+    EXPECT_EQ(Row_major<float>(floats), Row_major<float>(expected.cast<float>()));
+    for(Eigen::Index i = 0; i < rows; ++i)
+      EXPECT_EQ(memory[std::size_t((i + 1) * (columns + 1) - 1)], -1.f);
+  };
+  const auto all = GP::parameters::maximum_distance(2.);
+  expect_same(n, n, all);
+  expect_same(n, n, all.maximum_distance(0.3));
+  expect_same(2, n, all.row_range(std::pair<std::size_t, std::size_t>(3, 5)));
+  expect_same(n, 4, all.region_map(map));
+  expect_same(4, n, all.row_region_map(map));
+  expect_same(4, 4, all.region_map(map).row_region_map(map));
+  expect_same(4, 4, all.region_map(map).row_region_map(map).do_average_regions(true));
+  using Map = std::decay_t<decltype(map)>;
+  expect_same(n, 4, all.region_map(std::optional<Map>(map)).row_region_map(std::optional<Map>()));
+}
+
+TEST_F(Write_geodesic_distance_matrix, rejects_matrix_of_wrong_size)
+{
+  const auto n = Eigen::Index(vertices.size());
+  for(const auto& [rows, columns] : {std::pair(n, n - 1), std::pair(n + 1, n)})
+  {
+    Row_major<double> wrong(rows, columns);
+    EXPECT_THROW(GP::write_geodesic_distance_matrix(mesh, vertices, wrong),
+                 GP::Invalid_argument_error);
+  }
+  Row_major<double> result(n, n);
+  const std::function<bool(double)> cancel = [](double fraction) { return fraction < 0.5; };
+  EXPECT_THROW(
+      GP::write_geodesic_distance_matrix(mesh, vertices, result, GP::parameters::callback(cancel)),
+      GP::Cancelled);
 }
 
 TEST_F(Write_geodesic_distance_matrix, continues_after_cancellation)

@@ -14,10 +14,14 @@ namespace {
 using Kernel = std::variant<Front, Window_propagation, Heat_solver>;
 
 Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays> triangles,
-                   const std::optional<double>& heat_time_step = {})
+                   const std::optional<double>& heat_time_step = {},
+                   const std::function<bool(double)>& callback = {})
 {
   if(heat_time_step && method != Distance_method::heat)
     throw Unsupported_surface_error("A time step requires the method Heat.");
+  if(method == Distance_method::exact && triangles->is_cloud())
+    throw Unsupported_surface_error(
+        "Exact distances need a mesh, because the triangles of a cloud are not connected.");
   if(method == Distance_method::automatic)
     method = triangles->is_cloud() ? Distance_method::euclidean_front : Distance_method::exact;
   switch(method)
@@ -30,7 +34,7 @@ Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays>
     return Kernel(std::in_place_type<Window_propagation>, std::move(triangles));
   case Distance_method::heat:
     return Kernel(std::in_place_type<Heat_solver>, std::move(triangles),
-                  heat_time_step.value_or(1.));
+                  heat_time_step.value_or(1.), callback);
   default:
     return Front(std::move(triangles), Front_kind::euclidean, Bisected_edges::long_edges);
   }
@@ -38,11 +42,29 @@ Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays>
 
 } // namespace
 
+Front_kind front_kind(Distance_method method)
+{
+  switch(method)
+  {
+  case Distance_method::dijkstra:
+    return Front_kind::dijkstra;
+  case Distance_method::fast_marching:
+    return Front_kind::planar;
+  case Distance_method::euclidean_front:
+  case Distance_method::automatic:
+    return Front_kind::euclidean;
+  default:
+    throw Invalid_argument_error(
+        "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
+  }
+}
+
 Distance_engine::Distance_engine(Distance_method method,
                                  std::shared_ptr<const Surface_arrays> triangles,
-                                 std::optional<double> heat_time_step)
+                                 std::optional<double> heat_time_step,
+                                 const std::function<bool(double)>& callback)
     : m_method(method), m_triangles(std::move(triangles)),
-      m_kernel(make_kernel(method, m_triangles, heat_time_step))
+      m_kernel(make_kernel(method, m_triangles, heat_time_step, callback))
 {}
 
 void Distance_engine::select(const Front_limits& limits)

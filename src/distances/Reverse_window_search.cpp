@@ -34,10 +34,11 @@ const Meeting& Reverse_window_search::find_shortest(const Window_state& forward,
 
 const Meeting& Reverse_window_search::find_between(const Window_state& initialized,
                                                    const Surface_location& source,
-                                                   const Surface_location& from, double max_length)
+                                                   const Surface_location& from, double max_length,
+                                                   const std::function<bool(double)>& callback)
 {
   m_goal.find_between(initialized, source, max_length);
-  propagate_back(from);
+  propagate_back(from, callback);
   return m_goal.meeting();
 }
 
@@ -48,8 +49,10 @@ void Reverse_window_search::find_all(const Window_state& forward, const Surface_
   propagate_back(from);
 }
 
-void Reverse_window_search::propagate_back(const Surface_location& from)
+void Reverse_window_search::propagate_back(const Surface_location& from,
+                                           const std::function<bool(double)>& callback)
 {
+  constexpr std::size_t steps_per_call = 4096; // about a millisecond
   const Surface_arrays& t = *m_state.triangles;
   m_state.clear();
   m_state.max_distance = infinity;
@@ -63,8 +66,10 @@ void Reverse_window_search::propagate_back(const Surface_location& from)
   m_state.min_offset = 0.;
   Window_propagator propagator(m_state, &m_goal);
   propagator.start({{{from}, 0., 0}});
-  while(!m_state.queue.empty())
+  for(std::size_t step = 0; !m_state.queue.empty(); ++step)
   {
+    if(callback && step % steps_per_call == 0)
+      callback(0.);
     m_state.max_distance = m_goal.meeting().distance * (1. + round_off_tolerance);
     propagator.step();
   }

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/distances/Window_state.h>
 #include "distances/Window_goal.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,9 +25,11 @@ public:
   // Returns the end of the shortest path; its distance is infinite if there is none.
   const Meeting& find_shortest(const Window_state& forward, const Surface_location& from);
   // Returns the end of a path to a point source that is shorter than `max_length`; if there is
-  // none, only the distance is set, to `max_length`. See Window_goal::find_between().
+  // none, only the distance is set, to `max_length`. See Window_goal::find_between(). `callback` is
+  // called with 0 from time to time. An exception that it throws cancels the search.
   const Meeting& find_between(const Window_state& initialized, const Surface_location& source,
-                              const Surface_location& from, double max_length);
+                              const Surface_location& from, double max_length,
+                              const std::function<bool(double)>& callback = {});
   // Finds the ends of all paths of at most this length.
   void find_all(const Window_state& forward, const Surface_location& from, double max_length);
 
@@ -38,7 +41,8 @@ public:
                      std::vector<std::vector<Surface_location>>& paths) const;
 
 private:
-  void propagate_back(const Surface_location& from);
+  void propagate_back(const Surface_location& from,
+                      const std::function<bool(double)>& callback = {});
 
   Window_state m_state;
   Window_goal m_goal;

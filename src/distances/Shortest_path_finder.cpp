@@ -38,7 +38,8 @@ Bounded_path Shortest_path_finder::shorten(const std::vector<Surface_location>& 
 }
 
 Bounded_path Shortest_path_finder::shortest_path(const Surface_location& from,
-                                                 const Surface_location& to)
+                                                 const Surface_location& to,
+                                                 const std::function<bool(double)>& callback)
 {
   Bounded_path first = locally_shortest_path(from, to);
   if(m_triangles->is_cloud() || first.locations.size() < 2)
@@ -46,7 +47,7 @@ Bounded_path Shortest_path_finder::shortest_path(const Surface_location& from,
   if(!m_windows)
     m_windows.emplace(m_triangles);
   Bounded_path shorter =
-      m_windows->path_between(from, to, path_length(*m_triangles, first.locations));
+      m_windows->path_between(from, to, path_length(*m_triangles, first.locations), callback);
   if(shorter.locations.empty())
     shorter.locations = std::move(first.locations);
   return shorter;

@@ -257,7 +257,8 @@ Bounded_path Window_propagation::path_along_edges(const Surface_location& from) 
 }
 
 Bounded_path Window_propagation::path_between(const Surface_location& from,
-                                              const Surface_location& to, double max_length)
+                                              const Surface_location& to, double max_length,
+                                              const std::function<bool(double)>& callback)
 {
   set_obstacles(nullptr);
   m_state.clear();
@@ -268,7 +269,7 @@ Bounded_path Window_propagation::path_between(const Surface_location& from,
   Window_propagator(m_state).start(m_sources);
   const std::lock_guard lock(m_reverse_search.mutex);
   Reverse_window_search& reverse_search = this->reverse_search();
-  const Meeting& meeting = reverse_search.find_between(m_state, to, from, max_length);
+  const Meeting& meeting = reverse_search.find_between(m_state, to, from, max_length, callback);
   if(!(meeting.distance < max_length * (1. - round_off_tolerance)))
     return {{}, without_excess(max_length * (1. - 2. * round_off_tolerance))};
   std::vector<Surface_location> path;

@@ -50,7 +50,7 @@ private:
 // Calls row(i, engine, limits) for each row i, on several threads; each thread has a copy of the
 // engine. If a row only runs its engine within the limits and writes its own entries, the results
 // do not depend on the number of threads. The callback of the limits receives the fraction of the
-// rows done, from one thread at a time. Returns false if it cancelled.
+// rows done, before and during each row, from one thread at a time. Returns false if it cancelled.
 template <typename Engine, typename Row>
 bool for_each_row(Engine_pool<Engine>& engines, std::size_t number_of_rows, Front_limits limits,
                   unsigned number_of_threads, const Row& row)
@@ -59,16 +59,36 @@ bool for_each_row(Engine_pool<Engine>& engines, std::size_t number_of_rows, Fron
   std::size_t number_done = 0;
   std::atomic<bool> is_cancelled{false};
   const std::function<bool(double)> callback = std::exchange(limits.callback, nullptr);
+  // Requires that this thread has locked the mutex.
+  const auto report = [&]
+  {
+    if(!callback || is_cancelled)
+      return;
+    try
+    {
+      is_cancelled = !callback(double(number_done) / double(number_of_rows));
+    }
+    catch(...)
+    {
+      is_cancelled = true; // ends the rows of the other threads
+      throw;
+    }
+  };
   if(callback)
-    limits.callback = [&](double) { return !is_cancelled; };
+    limits.callback = [&](double)
+    {
+      // If another thread reports, this thread does not wait for it.
+      if(const std::unique_lock lock(mutex, std::try_to_lock); lock)
+        report();
+      return !is_cancelled;
+    };
 
   for_each_block(number_of_rows, 1, number_of_threads,
                  [&](std::size_t i, std::size_t, std::size_t)
                  {
                    {
                      const std::lock_guard lock(mutex);
-                     if(callback && !is_cancelled)
-                       is_cancelled = !callback(double(number_done) / double(number_of_rows));
+                     report();
                      if(is_cancelled)
                        return;
                    }

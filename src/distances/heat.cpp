@@ -147,10 +147,16 @@ struct Heat_solver::Systems
   std::unique_ptr<Poisson_solver> poisson;
 };
 
-Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles, double time_step)
+Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles, double time_step,
+                         const std::function<bool(double)>& callback)
     : m_triangles(triangles), m_dijkstra(triangles, Front_kind::dijkstra),
       m_distance(triangles->number_of_vertices(), infinity)
 {
+  const auto begin_step = [&]
+  {
+    if(callback)
+      callback(0.);
+  };
   auto systems = std::make_shared<Systems>();
   Surface_arrays t = *m_triangles;
   std::tie(systems->component, systems->number_of_components) = components(t);
@@ -158,12 +164,14 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles, double
   double mean = 0.;
   for(const double length : t.length)
     mean += length / double(t.length.size());
+  begin_step();
   // Mollification by 1e-6 of the mean edge length bounds the cotangents by about 1e6 (Sharp and
   // Crane 2020).
   mollify(t, 1e-6 * (mean > 0. ? mean : 1.));
   if(!t.is_cloud())
     flip_to_delaunay(t);
 
+  begin_step();
   const double width =
       component_width(m_triangles, systems->component, systems->number_of_components);
   // No edge is longer than the width: the default time step is not decreased.
@@ -171,13 +179,16 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles, double
       std::max(std::min(std::sqrt(time_step) * mean, std::max(mean, max_diffusion_ratio * width)),
                width / max_width);
 
+  begin_step();
   systems->operators = operators(t);
   const Laplacian laplacian(systems->operators);
   const Sparse_matrix matrix = laplacian.matrix(systems->operators);
   Sparse_matrix heat = systems->diffusion_length * systems->diffusion_length * matrix;
   const Vector mass = lumped_mass(systems->operators);
   heat.diagonal() += (mass.array() > 0.).select(mass, 1.);
+  begin_step();
   systems->heat = std::make_unique<Sparse_solver>(heat);
+  begin_step();
   // The solver pins one vertex of each component. A diagonal shift of the singular matrix that is
   // small enough for a long strip would be lost in round-off errors.
   systems->poisson = std::make_unique<Poisson_solver>(laplacian, matrix);

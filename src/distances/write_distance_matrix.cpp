@@ -135,10 +135,12 @@ template <typename Engine>
 class Row_computation
 {
 public:
+  // batch_size: bytes of the distances from the sources of a region that are averaged at a time
   Row_computation(const Engine& engine, double scale, const Matrix_job& job,
-                  const Front_limits& limits, unsigned number_of_threads, const Matrix_file& file)
+                  const Front_limits& limits, unsigned number_of_threads,
+                  const Matrix_layout& layout, std::size_t batch_size)
       : m_engines(engine), m_scale(scale), m_job(job), m_limits(limits),
-        m_number_of_threads(number_of_threads), m_file(file), m_format(file.layout().format)
+        m_number_of_threads(number_of_threads), m_layout(layout), m_batch_size(batch_size)
   {
     if(job.column_regions)
       m_column_size = region_sizes(*job.column_regions);
@@ -153,22 +155,22 @@ public:
         m_row_sources[region].push_back(job.from[i]);
   }
 
-  // Computes the rows of a tile. Returns false if cancelled.
-  bool compute(std::size_t tile, std::vector<char>& rows)
+  // Computes consecutive rows of the layout and writes them at distances of `stride` bytes. Returns
+  // false if cancelled.
+  bool compute(std::size_t begin, std::size_t end, char* rows, std::ptrdiff_t stride)
   {
-    const std::size_t begin = m_file.first_row(tile), end = m_file.end_row(tile),
-                      row_size = m_file.layout().row_size();
-    rows.resize((end - begin) * row_size);
+    const auto address = [=](std::size_t row)
+    { return rows + std::ptrdiff_t(row - begin) * stride; };
     if(!m_job.row_regions || !m_job.do_average)
       return run(begin, end - begin, end - begin,
                  [&](std::size_t i, Engine& engine, const Front_limits& limits)
                  {
                    const std::vector<double> values =
                        joined_distances(sources_of_row(begin + i), engine, limits);
-                   write(values, 1, rows.data() + i * row_size);
+                   write(values, 1, address(begin + i));
                  });
     for(std::size_t row = begin; row < end; ++row)
-      if(!compute_mean(row, rows.data() + (row - begin) * row_size))
+      if(!compute_mean(row, address(row)))
         return false;
     return true;
   }
@@ -184,14 +186,14 @@ private:
       limits.callback = [&](double fraction)
       {
         return m_limits.callback((double(first_row) + fraction * double(number_of_rows)) /
-                                 double(m_file.layout().rows));
+                                 double(m_layout.rows));
       };
     return for_each_row(m_engines, size, limits, m_number_of_threads, body);
   }
 
   std::vector<Front_source> sources_of_row(std::size_t row) const
   {
-    row += m_file.layout().first_row;
+    row += m_layout.first_row;
     return m_job.row_regions ? m_row_sources[row] : std::vector<Front_source>{m_job.from[row]};
   }
 
@@ -229,7 +231,7 @@ private:
     const std::vector<Front_source> sources = sources_of_row(row);
     std::vector<double> sum(m_job.number_of_columns(), 0.);
     const std::size_t bytes = std::max<std::size_t>(1, sum.size() * sizeof(double)),
-                      batch_size = std::max<std::size_t>(1, m_file.tile_size() / bytes);
+                      batch_size = std::max<std::size_t>(1, m_batch_size / bytes);
     std::vector<std::vector<double>> batch;
     for(std::size_t begin = 0; begin < sources.size(); begin += batch_size)
     {
@@ -259,7 +261,7 @@ private:
       const double value = count == 0         ? infinity
                            : m_job.do_average ? values[column] / double(count)
                                               : values[column];
-      put_number(value, m_format, column, out);
+      put_number(value, m_layout.format, column, out);
     }
   }
 
@@ -268,8 +270,8 @@ private:
   const Matrix_job& m_job;
   const Front_limits& m_limits;
   unsigned m_number_of_threads;
-  const Matrix_file& m_file;
-  Number_format m_format;
+  const Matrix_layout& m_layout;
+  std::size_t m_batch_size;
   std::vector<std::size_t> m_column_size;               // #regions of columns
   std::vector<std::vector<Front_source>> m_row_sources; // #regions of rows
 };
@@ -283,12 +285,16 @@ try
 {
   const auto write_tiles = [&](const auto* row_engine)
   {
-    Row_computation computation(*row_engine, scale, job, limits, number_of_threads, file);
+    Row_computation computation(*row_engine, scale, job, limits, number_of_threads, file.layout(),
+                                file.tile_size());
+    const std::size_t row_size = file.layout().row_size();
     std::vector<char> rows;
     for(std::size_t tile = 0; tile < file.number_of_tiles(); ++tile)
       if(!file.is_finished(tile))
       {
-        if(!computation.compute(tile, rows))
+        const std::size_t begin = file.first_row(tile), end = file.end_row(tile);
+        rows.resize((end - begin) * row_size);
+        if(!computation.compute(begin, end, rows.data(), std::ptrdiff_t(row_size)))
           return false;
         file.write(tile, rows);
       }
@@ -301,6 +307,21 @@ catch(const Overflow_error&)
 {
   file.discard(); // no later call could finish it
   throw;
+}
+
+bool write_distance_matrix(const Row_engine& engine, double scale, const Matrix_job& job,
+                           const Front_limits& limits, unsigned number_of_threads,
+                           const Matrix_layout& layout, void* rows, std::ptrdiff_t row_stride)
+{
+  constexpr std::size_t batch_size = std::size_t(1) << 26; // as that of a tile of a file
+  return std::visit(
+      [&](const auto* row_engine)
+      {
+        Row_computation computation(*row_engine, scale, job, limits, number_of_threads, layout,
+                                    batch_size);
+        return computation.compute(0, layout.rows, static_cast<char*>(rows), row_stride);
+      },
+      engine);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

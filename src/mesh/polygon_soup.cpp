@@ -386,13 +386,20 @@ Repaired_soup repair_soup(Polygon_soup soup, const Soup_options& options)
 
 Soup_arrays build_soup_arrays(Polygon_soup soup, const Soup_options& options)
 {
+  const auto begin_step = [&]
+  {
+    if(options.callback)
+      options.callback(0.);
+  };
   const std::size_t number_of_polygons = soup.polygon_begin.size() - 1;
+  begin_step();
   Repaired_soup repaired = triangulated(soup, options);
   soup.corners = {};
   soup.polygon_begin = {};
   if(!repaired.replacement.empty())
     remove_replaced_points(soup.points, repaired.replacement, repaired.corners);
 
+  begin_step();
   Soup_arrays result;
   Mesh_counts counts;
   if(auto arrays =
@@ -405,9 +412,12 @@ Soup_arrays build_soup_arrays(Polygon_soup soup, const Soup_options& options)
   }
   else
   {
+    begin_step();
     glue(soup.points.size(), repaired);
+    begin_step();
     result.mesh = build_mesh_arrays(std::move(soup.points), repaired.corners, repaired.twins);
   }
+  begin_step();
   result.mesh.arrays.number_of_threads = options.number_of_threads;
   result.report = repaired.report;
   result.report.number_of_triangles_without_area = result.mesh.number_of_degenerate_triangles;

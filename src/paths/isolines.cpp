@@ -217,7 +217,8 @@ Triangles_of_levels triangles_of_levels(const Surface_arrays& triangles,
 std::vector<Isoline> find_isolines(const Surface_arrays& triangles,
                                    const std::vector<double>& values,
                                    const std::vector<double>& levels,
-                                   Edge_interpolation interpolation)
+                                   Edge_interpolation interpolation,
+                                   const std::function<bool(double)>& callback)
 {
   std::vector<double> sorted_levels = levels;
   std::sort(sorted_levels.begin(), sorted_levels.end());
@@ -227,6 +228,8 @@ std::vector<Isoline> find_isolines(const Surface_arrays& triangles,
   std::vector<Isoline> isolines;
   for(std::size_t i = 0; i < levels.size(); ++i)
   {
+    if(callback)
+      callback(double(i) / double(levels.size()));
     const std::size_t rank =
         std::size_t(std::lower_bound(sorted_levels.begin(), sorted_levels.end(), levels[i]) -
                     sorted_levels.begin());

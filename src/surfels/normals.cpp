@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <thread>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -101,8 +102,11 @@ void orient(const std::vector<Vec3>& points, const Neighbor_graph& graph,
 } // namespace
 
 std::vector<Vec3> estimate_normals(const std::vector<Vec3>& points, unsigned number_of_neighbors,
-                                   bool is_oriented, unsigned number_of_threads)
+                                   bool is_oriented, unsigned number_of_threads,
+                                   const std::function<bool(double)>& callback)
 {
+  constexpr Index points_per_call = 1024;
+  const auto caller = std::this_thread::get_id();
   std::vector<Vec3> scaled_points = points, point;
   to_frame(scaled_points, unit_frame(points));
   const std::vector<Index> index_of_point = index_distinct_points(scaled_points, point);
@@ -118,6 +122,8 @@ std::vector<Vec3> estimate_normals(const std::vector<Vec3>& points, unsigned num
     visit_nearest(point, tree, size - 1, number_of_threads,
                   [&](std::size_t, Index i, const std::vector<Kd_tree::Neighbor>& found)
                   {
+                    if(callback && i % points_per_call == 0 && std::this_thread::get_id() == caller)
+                      callback(0.);
                     std::vector<Vec3> neighborhood;
                     for(const Kd_tree::Neighbor& neighbor : found)
                     {

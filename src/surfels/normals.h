@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
+#include <functional>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -18,10 +19,14 @@ namespace CGAL::Geodesic_processing::internal {
 // graph (Hoppe and others 1992). The cost of an edge is 1 - |cosine| of its normals. In each
 // component, the point with the largest z coordinate has a normal with nonnegative z.
 //
+// The calling thread calls `callback` with 0 from time to time. An exception that it throws cancels
+// the computation.
+//
 // Throws Invalid_argument_error if a coordinate is not finite or the extent overflows. O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec3> estimate_normals(const std::vector<Vec3>& points, unsigned number_of_neighbors,
-                                   bool is_oriented, unsigned number_of_threads = 1);
+                                   bool is_oriented, unsigned number_of_threads = 1,
+                                   const std::function<bool(double)>& callback = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -281,10 +281,16 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
     throw Invalid_argument_error(
         "The maximum angle between the normals of neighbors must be positive and at most pi, and "
         "the rank of the neighbor that determines the radius must be positive.");
+  const auto begin_step = [&]
+  {
+    if(options.callback)
+      options.callback(0.);
+  };
   Surfel_arrays result;
   Surface_arrays& t = result.arrays;
   const Compatibility_test compatibility_test = {std::cos(options.maximum_angle)};
   normalize(normals);
+  begin_step();
   Sorted_surfels sorted = sort_surfels(std::move(points), normals, compatibility_test.cosine,
                                        options.number_of_threads);
   t.origin = sorted.frame.origin;
@@ -299,10 +305,12 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
       copy_normals.push_back(normals[i]);
     }
   std::vector<Vec3>().swap(normals);
+  begin_step();
   Neighbor_distances distances;
   Ragged_rows neighbors = find_neighbors(sorted, &compatibility_test, number_of_ring_neighbors,
                                          options.number_of_threads, distances);
   std::vector<double>().swap(distances.spacing);
+  begin_step();
   result.radius = surfel_radii(sorted, radii, neighbors, options.rank, options.number_of_threads);
 
   result.tree = std::move(sorted.tree);
@@ -314,11 +322,16 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
 
   const Distinct_surfels surfels = {t.point, t.normal, result.tree, compatibility_test,
                                     options.number_of_threads};
-  collect_triangles(find_delaunay_rings(surfels, neighbors, distances.search_radius, result.radius),
-                    options.number_of_threads, t);
+  begin_step();
+  const Ragged_rows rings =
+      find_delaunay_rings(surfels, neighbors, distances.search_radius, result.radius);
+  begin_step();
+  collect_triangles(rings, options.number_of_threads, t);
   build_rings(t);
+  begin_step();
   build_graph(surfels, std::move(neighbors), distances.search_radius, result.radius, original, t);
   distances = {};
+  begin_step();
   compute_lengths(result, options.number_of_threads);
   return result;
 }

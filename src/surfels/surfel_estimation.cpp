@@ -44,8 +44,14 @@ std::vector<std::size_t> sort_by_neighbor_distance(std::vector<Vec3> points,
 } // namespace
 
 Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned number_of_neighbors,
-                                   double outlier_percentage, unsigned number_of_threads)
+                                   double outlier_percentage, unsigned number_of_threads,
+                                   const std::function<bool(double)>& callback)
 {
+  const auto begin_step = [&]
+  {
+    if(callback)
+      callback(0.);
+  };
   if(number_of_neighbors < 6)
     throw Invalid_argument_error("Normals must be estimated from at least 6 neighbors.");
   if(!(outlier_percentage >= 0.) || !(outlier_percentage <= 100.))
@@ -70,14 +76,17 @@ Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned num
     check_number_of_points(indices.size());
     std::sort(indices.begin(), indices.end());
   }
+  begin_step();
   std::vector<Vec3> kept_points;
   for(const std::size_t index : indices)
     kept_points.push_back(points[index]);
   const std::vector<Vec3> normals =
-      estimate_normals(kept_points, number_of_neighbors, true, number_of_threads);
+      estimate_normals(kept_points, number_of_neighbors, true, number_of_threads, callback);
+  begin_step();
   Surfel_cloud_options options;
   options.number_of_threads = number_of_threads;
   const Surfel_cloud cloud = make_cloud(std::move(kept_points), normals, {}, options);
+  begin_step();
   result.normals.assign(points.size(), {0., 0., 1.});
   result.radii.assign(points.size(), 0.);
   for(std::size_t i = 0; i < indices.size(); ++i)

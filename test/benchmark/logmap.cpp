@@ -492,8 +492,8 @@ void add_noise_rows(Table& table, const std::string& name, double noise, const M
 
 // Adds a row of relative errors of lengths, in percent, against Exact on the same mesh: of the
 // distances, and of the lengths that the gradients have before they are replaced by the distances.
-void add_length_row(Table& table, const std::string& name, GP::internal::Distance_method method,
-                    double noise, const Mesh& mesh, const std::vector<double>& rings)
+void add_length_row(Table& table, const std::string& name, GP::Distance_method method, double noise,
+                    const Mesh& mesh, const std::vector<double>& rings)
 {
   using namespace GP::internal;
   GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
@@ -558,7 +558,7 @@ void compare_lengths(unsigned level)
       "rings of neighbors\n");
   Table table({"noise %", "method", "distance", "fitted length, 0.6 rings", "1 ring", "2 rings",
                "3 rings", "4 rings"});
-  using Method = GP::internal::Distance_method;
+  using Method = GP::Distance_method;
   const std::vector<double> rings = {0.6, 1., 2., 3., 4.};
   for(const double noise : {0., 0.01, 0.05})
   {

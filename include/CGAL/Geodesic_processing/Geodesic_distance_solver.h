@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/method.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
@@ -77,6 +78,12 @@ public:
   /// \param surface the surface
   /// \param np the named parameters of `make_domain()`, and
   /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{method}
+  ///     \cgalParamDescription{the method, if `Method` is `Runtime_method`; otherwise the call does
+  ///       not compile}
+  ///     \cgalParamType{`Distance_method`}
+  ///     \cgalParamDefault{`Distance_method::automatic`}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{heat_time_step}
   ///     \cgalParamDescription{the time step of `Heat` in squared mean edge lengths, positive.
   ///       Larger steps result in smoother and less accurate distances. Its square root is at least
@@ -85,11 +92,19 @@ public:
   ///     \cgalParamType{`double`}
   ///     \cgalParamDefault{1}
   ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{callback}
+  ///     \cgalParamDescription{a function that `Heat` calls with 0 before each of its two
+  ///       factorizations and the steps before them; if it returns false, the constructor throws
+  ///       `Cancelled`. A factorization cannot be interrupted}
+  ///     \cgalParamType{`std::function<bool(double)>`}
+  ///     \cgalParamDefault{no callback}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `make_domain()`; `Heat` also throws `Unsupported_surface_error` if the surface is
   ///         empty
   /// \throws Invalid_argument_error if the time step is not positive and finite
-  /// \throws Unsupported_surface_error if a time step is given and the method is not `Heat`
+  /// \throws Unsupported_surface_error if a time step is given and the method is not `Heat`, or if
+  ///         `method` is `Distance_method::exact` and the surface is a cloud
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_distance_solver(const Surface& surface,
                                     const NamedParameters& np = NamedParameters())
@@ -102,15 +117,10 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_distance_solver(const Domain& domain,
                                     const NamedParameters& np = NamedParameters())
-      : Geodesic_distance_solver(domain, internal::distance_method<Method>(),
-                                 internal::read_heat_time_step(np))
+      : m_domain(domain),
+        m_engine(internal::read_method<Method>(np), domain.triangles(),
+                 internal::read_heat_time_step(np), internal::read_throwing_callback(np))
   {}
-#ifndef DOXYGEN_RUNNING
-  Geodesic_distance_solver(const Domain& domain, internal::Distance_method method,
-                           std::optional<double> heat_time_step = {})
-      : m_domain(domain), m_engine(method, domain.triangles(), heat_time_step)
-  {}
-#endif
 
   /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }

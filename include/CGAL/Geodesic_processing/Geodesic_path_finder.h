@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/distances/Shortest_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
@@ -94,16 +95,30 @@ public:
   /// number of visited faces; on a cloud as `Surfel_path_finder::operator()`.
   /// \tparam FromLocation, ToLocation a vertex, a surfel or a location
   /// \param from, to vertices, surfels or locations
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{callback}
+  ///     \cgalParamDescription{a function that is called with 0 from time to time; if it returns
+  ///       false, the search throws `Cancelled`, and the finder can be used again. It is not called
+  ///       on a cloud}
+  ///     \cgalParamType{`std::function<bool(double)>`}
+  ///     \cgalParamDefault{no callback}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// \throws Invalid_argument_error if a location is invalid
-  template <typename FromLocation, typename ToLocation>
-  Path operator()(const FromLocation& from, const ToLocation& to)
+  /// \throws Cancelled if the callback returns false
+  template <typename FromLocation, typename ToLocation,
+            typename NamedParameters = internal::Default_parameters>
+  Path operator()(const FromLocation& from, const ToLocation& to,
+                  [[maybe_unused]] const NamedParameters& np = NamedParameters())
   {
     if constexpr(is_cloud)
       return m_finder(from, to);
     else
       return internal::surface_path(m_domain,
                                     m_finder.shortest_path(internal::location(m_domain, from),
-                                                           internal::location(m_domain, to)));
+                                                           internal::location(m_domain, to),
+                                                           internal::read_throwing_callback(np)));
   }
   /// Returns a locally shortest path; empty if the ends are not connected.
   ///

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Mesh_domain.h>
 #include <CGAL/Geodesic_processing/Soup_report.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/soup_mesh.h>
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/mesh/polygon_soup.h>
@@ -156,6 +157,7 @@ Soup_domain<Point>::Soup_domain(const PointRange& points, const PolygonRange& po
   options.do_remove_degenerate_faces =
       internal::parameter(np, internal_np::do_remove_degenerate_faces, false);
   options.number_of_threads = number_of_threads;
+  options.callback = internal::read_throwing_callback(np);
   internal::Soup_arrays arrays = internal::build_soup_arrays(std::move(soup), options);
 
   std::vector<Point> points_of_mesh;
@@ -275,6 +277,12 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 ///     \cgalParamType{`unsigned`}
 ///     \cgalParamDefault{1; with `CGAL::Parallel_tag`, the number of hardware threads}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{a function that is called with 0 between the steps of the construction;
+///       if it returns false, the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \pre The property map has a value for each element of `points`.
 /// \returns the domain
@@ -282,6 +290,7 @@ using Soup_point = typename boost::property_traits<std::decay_t<decltype(paramet
 ///         point, if distances overflow, or if the tolerance is negative
 /// \throws Unsupported_surface_error if a polygon has more than 10,000 corners, or if the triangles
 ///         have more than 2<SUP>31</SUP> halfedges
+/// \throws Cancelled if the callback returns false
 ///
 /// O(n) for n points of bounded degree, and O(k<SUP>2</SUP>) for a polygon of k corners. The domain
 /// takes about 200 bytes per point, and its mesh, if a function needs it, about 110 more.

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
 #include <CGAL/Geodesic_processing/internal/core/slowness.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
@@ -73,6 +74,12 @@ public:
   ///     \cgalParamDescription{the number of threads}
   ///     \cgalParamType{`unsigned`}
   ///     \cgalParamDefault{1}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{callback}
+  ///     \cgalParamDescription{a function that is called with 0 between the steps of the construction;
+  ///       if it returns false, the function throws `Cancelled`}
+  ///     \cgalParamType{`std::function<bool(double)>`}
+  ///     \cgalParamDefault{no callback}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \pre Property maps have a value for each element of the range.
@@ -159,6 +166,7 @@ Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range, const NamedP
   internal::Surfel_input input = internal::read_surfels(range, np);
   internal::Surfel_options options;
   options.number_of_threads = internal::parameter(np, internal_np::number_of_threads, 1u);
+  options.callback = internal::read_throwing_callback(np);
   data->has_given_radii = !input.radii.empty();
   data->surfels = internal::build_surfel_arrays(std::move(input.points), std::move(input.normals),
                                                 input.radii, options);

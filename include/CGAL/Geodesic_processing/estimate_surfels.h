@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_ESTIMATE_SURFELS_H
 #define CGAL_GEODESIC_PROCESSING_ESTIMATE_SURFELS_H
 
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_estimation.h>
@@ -68,6 +69,12 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamType{`unsigned`}
 ///     \cgalParamDefault{one; all with `Parallel_tag`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{a function that is called with 0 between the steps of the construction;
+///       if it returns false, the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \pre The point map has a value for each element of the range.
@@ -77,6 +84,7 @@ namespace CGAL::Geodesic_processing {
 ///         6, or the percentage is not in [0, 100]
 /// \throws Unsupported_surface_error if the number of remaining points does not exceed the number
 ///         of neighbors
+/// \throws Cancelled if the callback returns false
 ///
 /// O(n log n) for n points.
 template <typename Concurrency_tag = Sequential_tag, typename Points,
@@ -96,10 +104,10 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
       coordinates.push_back(
           {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     }
-    return internal::estimate_surfels(coordinates,
-                                      parameter(np, internal_np::number_of_neighbors, 18u),
-                                      parameter(np, internal_np::outlier_percentage, 0.),
-                                      internal::number_of_threads<Concurrency_tag>(np));
+    return internal::estimate_surfels(
+        coordinates, parameter(np, internal_np::number_of_neighbors, 18u),
+        parameter(np, internal_np::outlier_percentage, 0.),
+        internal::number_of_threads<Concurrency_tag>(np), internal::read_throwing_callback(np));
   };
   const auto write =
       [&](const internal::Estimated_surfels& surfels, auto normal_map, auto radius_map)

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/method.h>
 #include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
@@ -26,15 +27,13 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
                            Sample_location sample_location, const NamedParameters& np,
                            const Out& report_sample)
 {
-  static_assert(is_front<Method>,
-                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   const Front_limits front_limits = limits(domain, np);
   const double scale = domain.triangles()->scale;
   const double radius = parameter(np, internal_np::covering_radius, 0.);
   if(!(radius >= 0.))
     throw Invalid_argument_error("The covering radius is negative or not a number.");
 
-  Sampling sampling(domain.triangles(), Front(domain.triangles(), front_kind<Method>()),
+  Sampling sampling(domain.triangles(), Front(domain.triangles(), read_front_kind<Method>(np)),
                     sample_location, front_limits.slowness);
   if constexpr(has_parameter<NamedParameters, internal_np::first_samples_t>)
     for(const Surface_location& sample :
@@ -88,7 +87,8 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
 /// sample. It is infinite if a component has no sample, and it never increases. If it becomes zero,
 /// fewer samples than requested are returned.
 ///
-/// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
+/// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`; `Runtime_method`
+///         reads the named parameter `method`
 /// \tparam Surface as for `geodesic_distances()`
 /// \tparam OutputIterator a model of `OutputIterator` for `Location<Surface>`
 /// \param surface as for `geodesic_distances()`

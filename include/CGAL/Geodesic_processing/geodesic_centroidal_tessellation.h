@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/method.h>
 #include <CGAL/Geodesic_processing/internal/sampling/tessellation.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
@@ -31,7 +32,8 @@ namespace CGAL::Geodesic_processing {
 /// single vertex, provided that an adjacent cell can take the disconnected fragments. Patches need
 /// not be disks unless `do_make_discs` is set: a cell around a tube is an annulus.
 ///
-/// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
+/// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`; `Runtime_method`
+///         reads the named parameter `method`
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`, which
 ///         processes several cells at a time, with the same result
 /// \tparam Surface as for `geodesic_distances()`
@@ -111,8 +113,6 @@ std::size_t geodesic_centroidal_tessellation(const Surface& surface, std::size_t
                                              const NamedParameters& np = NamedParameters())
 {
   using internal::Index;
-  static_assert(internal::is_front<Method>,
-                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   const auto domain = make_domain(surface, np);
   constexpr bool is_cloud =
       internal::Is_cloud<typename std::decay_t<decltype(domain)>::Surface>::value;
@@ -129,7 +129,8 @@ std::size_t geodesic_centroidal_tessellation(const Surface& surface, std::size_t
   options.number_of_threads = internal::number_of_threads<Concurrency_tag>(np);
   options.callback = front_limits.callback;
   const internal::Tessellation found = internal::tessellate(
-      domain.triangles(), internal::Front(domain.triangles(), internal::front_kind<Method>()),
+      domain.triangles(),
+      internal::Front(domain.triangles(), internal::read_front_kind<Method>(np)),
       front_limits.slowness, options);
   if(!found.is_finished)
     throw Cancelled();

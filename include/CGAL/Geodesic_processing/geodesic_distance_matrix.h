@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/method.h>
 #include <CGAL/Geodesic_processing/internal/distances/distance_matrix.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
@@ -53,7 +54,8 @@ Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
                                    const Sources& from_sources, const NamedParameters& np)
 {
   const Matrix_query query = matrix_query(domain, from_sources, np);
-  Distance_engine engine(method, domain.triangles(), read_heat_time_step(np));
+  Distance_engine engine(method, domain.triangles(), read_heat_time_step(np),
+                         read_throwing_callback(np));
   engine.select(query.limits);
   return distance_matrix(engine.row_engine(), domain.triangles()->scale, query.from, query.to,
                          query.limits, number_of_threads<Concurrency_tag>(np));
@@ -77,7 +79,8 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
     column_of[location.vertex] = Index(from.size());
     from.push_back({{location}, 0., Index(from.size())});
   }
-  Distance_engine engine(method, domain.triangles(), read_heat_time_step(np));
+  Distance_engine engine(method, domain.triangles(), read_heat_time_step(np),
+                         read_throwing_callback(np));
   engine.select(asked);
   return sparse_distance_matrix(engine.row_engine(), domain.triangles()->scale, from, column_of,
                                 asked, number_of_threads<Concurrency_tag>(np));
@@ -116,8 +119,9 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 ///     \cgalParamDefault{the number of hardware threads}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a function that is called with the completed fraction before each row,
-///       by one thread at a time; if it returns false, the function throws `Cancelled`}
+///     \cgalParamDescription{a function that is called with the completed fraction of the rows,
+///       before and during each row, by one thread at a time; if it returns false, the function
+///       throws `Cancelled`}
 ///     \cgalParamType{`std::function<bool(double)>`}
 ///     \cgalParamDefault{no callback}
 ///   \cgalParamNEnd
@@ -138,7 +142,7 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
                                          const NamedParameters& np = NamedParameters())
 {
   return internal::distances_of_pairs<Concurrency_tag>(
-      make_domain(surface, np), internal::distance_method<Method>(), sources, np);
+      make_domain(surface, np), internal::read_method<Method>(np), sources, np);
 }
 
 /// \ingroup PkgGeodesicProcessingDistances
@@ -170,9 +174,8 @@ sparse_geodesic_distance_matrix(const Surface& surface, const Vertices& vertices
                                 double maximum_distance,
                                 const NamedParameters& np = NamedParameters())
 {
-  return internal::distances_of_near_pairs<Concurrency_tag>(make_domain(surface, np),
-                                                            internal::distance_method<Method>(),
-                                                            vertices, maximum_distance, np);
+  return internal::distances_of_near_pairs<Concurrency_tag>(
+      make_domain(surface, np), internal::read_method<Method>(np), vertices, maximum_distance, np);
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \tparam Method `Automatic` (the default), `Exact`, `Euclidean_front`, `Fast_marching`,
 ///         `Dijkstra` or `Heat`; their reference pages state their errors. On a mesh without
-///         speeds, `Automatic` is `Exact`
+///         speeds, `Automatic` is `Exact`. `Runtime_method` reads the named parameter `method`
 /// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
 ///         `SurfelRange`, or a domain made by `make_domain()`
 /// \tparam Sources a vertex, a surfel, a location, a `Source`, or a range of one of these

@@ -44,7 +44,7 @@ inline constexpr bool uses_path_energy =
 /// shortened on them. `initial_path` is then empty. The same holds if only these triangles connect
 /// `from` with a source.
 ///
-/// \tparam Method as for `geodesic_distances()`
+/// \tparam Method as for `geodesic_distances()`, but not `Runtime_method`
 /// \tparam Surface as for `geodesic_distances()`
 /// \tparam QueryLocation a vertex, a surfel or a `Location<Surface>`
 /// \tparam Sources as for `geodesic_distances()`
@@ -65,6 +65,8 @@ Geodesic_path<Surface_of<Surface>> geodesic_path(const Surface& surface, const Q
                                                  const Sources& to,
                                                  const NamedParameters& np = NamedParameters())
 {
+  static_assert(!std::is_same_v<Method, Runtime_method>,
+                "The method of geodesic_path() is a tag. Call Geodesic_distance_solver::path().");
   const auto domain = make_domain(surface, np);
   Geodesic_distance_solver<Surface_of<Surface>, Method> solver(domain, np);
   solver.compute(to, internal::chain(np).targets(from));

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/method.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/internal/sampling/voronoi.h>
 #include <CGAL/Geodesic_processing/is_supported.h>
@@ -59,8 +60,6 @@ template <typename Method, typename Domain, typename Seeds, typename NamedParame
 Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds,
                                         const NamedParameters& np)
 {
-  static_assert(is_front<Method>,
-                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   const Front_limits front_limits = limits(domain, np);
   std::vector<std::size_t> label_of_source;
   std::vector<Front_source> front_sources = sources(domain, seeds, label_of_source);
@@ -70,7 +69,7 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
   for(std::size_t i = 0; i < front_sources.size(); ++i)
     front_sources[i].label =
         Index(std::lower_bound(labels.begin(), labels.end(), label_of_source[i]) - labels.begin());
-  Voronoi_diagram cells(domain.triangles(), Front(domain.triangles(), front_kind<Method>()),
+  Voronoi_diagram cells(domain.triangles(), Front(domain.triangles(), read_front_kind<Method>(np)),
                         front_sources, Index(labels.size()), front_limits);
   if(!cells.is_finished())
     throw Cancelled();
@@ -92,7 +91,8 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
 /// that face. Voronoi vertices are located to within one face. For n vertices there should be at
 /// most n/4 seeds.
 ///
-/// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
+/// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`; `Runtime_method`
+///         reads the named parameter `method`
 /// \tparam Surface as for `geodesic_distances()`
 /// \tparam Seeds as `Sources` of `geodesic_distances()`
 /// \tparam LabelMap a model of `WritablePropertyMap` with vertices or surfels as keys and

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_ISOLINES_H
 #define CGAL_GEODESIC_PROCESSING_ISOLINES_H
 
+#include <CGAL/Geodesic_processing/internal/adaptors/callback.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/isovalues.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/paths/isolines.h>
@@ -77,10 +78,17 @@ struct Isoline
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{a function that is called with the completed fraction before each
+///       isovalue; if it returns false, the function throws `Cancelled`}
+///     \cgalParamType{`std::function<bool(double)>`}
+///     \cgalParamDefault{no callback}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \pre The property map has a value for each vertex.
 /// \returns the output iterator after the last isoline
 /// \throws Invalid_argument_error if an isovalue is infinite or not a number
+/// \throws Cancelled if the callback returns false. Then nothing is written
 /// \throws as `make_domain()`
 ///
 /// O(n log k + m) for n vertices, k isovalues and m locations.
@@ -95,7 +103,8 @@ OutputIterator isolines(const Surface& mesh, ValueMap value_map, const Isovalues
   const std::vector<double> values = internal::function_values(domain, value_map);
   const std::vector<double> levels = internal::checked_isovalues(isovalues);
   for(const internal::Isoline& line :
-      internal::find_isolines(triangles, values, levels, internal::edge_interpolation(np)))
+      internal::find_isolines(triangles, values, levels, internal::edge_interpolation(np),
+                              internal::read_throwing_callback(np)))
   {
     Isoline<typename std::decay_t<decltype(domain)>::Surface> isoline;
     isoline.value = levels[line.level];

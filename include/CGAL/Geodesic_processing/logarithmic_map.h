@@ -28,9 +28,9 @@ namespace CGAL::Geodesic_processing {
 /// Selects the computation of tangent vectors from the gradient of the squared distance at the base
 /// point.
 ///
-/// `Distance_method` computes the distances from the base point and from a stencil of locations
+/// `Method` computes the distances from the base point and from a stencil of locations
 /// around it.
-template <typename Distance_method = Euclidean_front>
+template <typename Method = Euclidean_front>
 struct Gradient
 {};
 
@@ -95,7 +95,7 @@ struct Log_tag<Discrete_exponential>
 /// O(1) time.
 ///
 /// \tparam Surface as for `geodesic_distances()`, but not a domain
-/// \tparam Method `Gradient<Distance_method>`, `Discrete_exponential`, or on a mesh `Exact`
+/// \tparam Method `Gradient<Method>`, `Discrete_exponential`, or on a mesh `Exact`
 template <typename Surface, typename Method = Gradient<>>
 class Logarithmic_map
 {
@@ -359,7 +359,7 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 /// Computes Riemannian normal coordinates around a base point. The normal coordinates of a vertex
 /// or surfel are the tangent vector at the base point whose geodesic ends there.
 ///
-/// \tparam Method `Gradient<Distance_method>` (the default: `Gradient<Euclidean_front>`),
+/// \tparam Method `Gradient<Method>` (the default: `Gradient<Euclidean_front>`),
 ///         `Discrete_exponential`, or on a mesh `Exact`
 /// \tparam Surface as for `geodesic_distances()`
 /// \tparam Place a vertex, a surfel or a `Location<Surface>`

@@ -13,6 +13,7 @@ namespace CGAL::Geodesic_processing {
 // The names of the parameters of this package. For each name there is a tag, and a function that
 // extends a chain of parameters.
 #define CGAL_GEODESIC_PROCESSING_OWN_NAMES(NAME)                                                   \
+  NAME(method)                                                                                     \
   NAME(maximum_distance)                                                                           \
   NAME(targets)                                                                                    \
   NAME(row_range)                                                                                  \

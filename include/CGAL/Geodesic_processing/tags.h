@@ -95,6 +95,28 @@ struct Heat
 struct Automatic
 {};
 
+/// Lists the methods. It is the type of the named parameter `method` of `Runtime_method`.
+enum class Distance_method
+{
+  dijkstra,        ///< `Dijkstra`
+  fast_marching,   ///< `Fast_marching`
+  euclidean_front, ///< `Euclidean_front`
+  exact,           ///< `Exact`
+  heat,            ///< `Heat`
+  automatic        ///< `Automatic`
+};
+
+/// Selects the method at run time by the named parameter `method`. Its default is the default
+/// method of the function.
+///
+/// Use it if the users of a program choose the method: a function is then compiled once for all
+/// methods. Every function and class that accepts these methods accepts it, except for
+/// `geodesic_path()` and `Gradient`. Functions that accept only fronts throw `Invalid_argument_error` for
+/// `Distance_method::exact` and `Distance_method::heat`. On a cloud, `Distance_method::exact`
+/// throws `Unsupported_surface_error`.
+struct Runtime_method
+{};
+
 /// @}
 
 } // namespace CGAL::Geodesic_processing

@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/internal/adaptors/Reconstructed_domain.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/add_faces.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/method.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
@@ -43,8 +44,6 @@ namespace internal {
 template <typename Method, typename Concurrency_tag, typename Domain, typename NamedParameters>
 Atlas compute_atlas(const Domain& domain, std::size_t number, const NamedParameters& np)
 {
-  static_assert(is_front<Method>,
-                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   if(number == 0)
     throw Invalid_argument_error("The number of charts must be positive.");
   const Front_limits front_limits = limits(domain, np);
@@ -56,8 +55,9 @@ Atlas compute_atlas(const Domain& domain, std::size_t number, const NamedParamet
   options.tessellation.callback = front_limits.callback;
   options.texels = parameter(np, internal_np::texture_size, options.texels);
   options.gutter = parameter(np, internal_np::gutter_width, options.gutter);
-  Atlas result = make_atlas(domain.triangles(), Front(domain.triangles(), front_kind<Method>()),
-                            front_limits.slowness, options);
+  Atlas result =
+      make_atlas(domain.triangles(), Front(domain.triangles(), read_front_kind<Method>(np)),
+                 front_limits.slowness, options);
   if(!result.is_complete)
     throw Cancelled();
   return result;

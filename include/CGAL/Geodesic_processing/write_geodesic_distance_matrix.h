@@ -7,8 +7,11 @@
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/internal/distances/write_distance_matrix.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -36,14 +39,25 @@ Matrix_regions matrix_regions(const Domain& domain, const Vertices& vertices, co
   }
   return result;
 }
-
-// Computes write_geodesic_distance_matrix() by a method that is selected at run time.
-template <typename Concurrency_tag, typename Number, typename Domain, typename Sources,
-          typename NamedParameters>
-void write_distances_of_pairs(const Domain& domain, Distance_method method,
-                              const Sources& from_sources, const std::string& path,
-                              const NamedParameters& np)
+// An empty optional stands for no map.
+template <typename Domain, typename Vertices, typename RegionMap>
+std::optional<Matrix_regions> matrix_regions(const Domain& domain, const Vertices& vertices,
+                                             const std::optional<RegionMap>& map)
 {
+  if(!map)
+    return std::nullopt;
+  return matrix_regions(domain, vertices, *map);
+}
+
+// Reads the arguments of write_geodesic_distance_matrix() and calls
+// write(engine, job, limits, layout, number_of_threads).
+template <typename Concurrency_tag, typename Number, typename Domain, typename Sources,
+          typename NamedParameters, typename Write>
+void with_matrix_job(const Domain& domain, Distance_method method, const Sources& from_sources,
+                     const NamedParameters& np, const Write& write)
+{
+  static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float>,
+                "The numbers of a matrix are of type double or float.");
   const Matrix_query query = matrix_query(domain, from_sources, np);
   Matrix_job job{query.from, query.to};
   job.do_average = parameter(np, internal_np::do_average_regions, false);
@@ -67,16 +81,29 @@ void write_distances_of_pairs(const Domain& domain, Distance_method method,
                                 std::is_same_v<Number, float> ? Number_format::float32
                                                               : Number_format::float64,
                                 range.first, job.number_of_rows()};
-  const unsigned threads = number_of_threads<Concurrency_tag>(np);
-  const auto heat_time_step = read_heat_time_step(np);
-  Distance_engine engine(method, domain.triangles(), heat_time_step);
+  Distance_engine engine(method, domain.triangles(), read_heat_time_step(np),
+                         read_throwing_callback(np));
   engine.select(query.limits);
-  // One row per thread at least, so that no thread is idle.
-  const std::size_t default_tile_size = std::max(std::size_t(1) << 26, threads * layout.row_size());
-  Matrix_file file(path, layout, parameter(np, internal_np::tile_size, default_tile_size),
-                   matrix_key(*domain.triangles(), method, heat_time_step, job, query.limits));
-  write_distance_matrix(engine.row_engine(), domain.triangles()->scale, job, query.limits, threads,
-                        file);
+  write(engine.row_engine(), job, query.limits, layout, number_of_threads<Concurrency_tag>(np));
+}
+
+// Computes write_geodesic_distance_matrix() to a file.
+template <typename Concurrency_tag, typename Number, typename Domain, typename Sources,
+          typename NamedParameters>
+void write_distances_of_pairs(const Domain& domain, Distance_method method,
+                              const Sources& from_sources, const std::string& path,
+                              const NamedParameters& np)
+{
+  const auto write = [&](const Row_engine& engine, const Matrix_job& job,
+                         const Front_limits& limits, const Matrix_layout& layout, unsigned threads)
+  {
+    // One row per thread at least, so that no thread is idle.
+    const std::size_t default_size = std::max(std::size_t(1) << 26, threads * layout.row_size());
+    Matrix_file file(path, layout, parameter(np, internal_np::tile_size, default_size),
+                     matrix_key(*domain.triangles(), method, read_heat_time_step(np), job, limits));
+    write_distance_matrix(engine, domain.triangles()->scale, job, limits, threads, file);
+  };
+  with_matrix_job<Concurrency_tag, Number>(domain, method, from_sources, np, write);
 }
 
 } // namespace internal
@@ -167,10 +194,61 @@ void write_geodesic_distance_matrix(const Surface& surface, const Sources& sourc
                                     const std::string& path,
                                     const NamedParameters& np = NamedParameters())
 {
-  static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float>,
-                "The numbers of a matrix are of type double or float.");
   internal::write_distances_of_pairs<Concurrency_tag, Number>(
-      make_domain(surface, np), internal::distance_method<Method>(), sources, path, np);
+      make_domain(surface, np), internal::read_method<Method>(np), sources, path, np);
+}
+
+/// \ingroup PkgGeodesicProcessingDistances
+///
+/// Writes the matrix of geodesic distances from each source to each target to memory of the caller,
+/// for example to an `Eigen::Map` of a file. No other copy of the matrix exists. The entries, and
+/// the regions of targets and sources, are those of `write_geodesic_distance_matrix()` to a file.
+///
+/// \tparam Method as for `geodesic_distances()`
+/// \tparam Concurrency_tag as for `geodesic_distance_matrix()`
+/// \tparam Surface as for `geodesic_distances()`
+/// \tparam Sources as for `geodesic_distance_matrix()`
+/// \tparam Matrix a matrix, map or reference of Eigen in row-major order, whose rows are contiguous.
+///         Its numbers are of type `double` or `float`, to which entries are rounded
+/// \param surface the surface, as for `geodesic_distances()`
+/// \param sources as for `geodesic_distance_matrix()`
+/// \param matrix receives the distances; the sizes must be those of the result
+/// \param np the named parameters of `write_geodesic_distance_matrix()` to a file, except for
+///        `tile_size`
+/// \pre as for a file
+/// \throws as `geodesic_distance_matrix()`
+/// \throws Invalid_argument_error if the matrix has another number of rows or columns, if
+///         `row_range` is not a range of the rows, or if the numbers are of type `float` and a finite
+///         distance is too large for them
+/// \throws Cancelled if the callback returns false. Then some rows are not written
+///
+/// The time is that of a file. Uses memory per thread for one solver and one row, and for means of
+/// `row_region_map` 64 MB.
+template <typename Method = Automatic, typename Concurrency_tag = Sequential_tag, typename Surface,
+          typename Sources, typename Matrix,
+          typename NamedParameters = internal::Default_parameters>
+void write_geodesic_distance_matrix(const Surface& surface, const Sources& sources,
+                                    Eigen::MatrixBase<Matrix>& matrix,
+                                    const NamedParameters& np = NamedParameters())
+{
+  static_assert(bool(Matrix::Flags & Eigen::DirectAccessBit) && bool(Matrix::IsRowMajor) &&
+                    Matrix::InnerStrideAtCompileTime == 1,
+                "The matrix is in row-major order, and its rows are contiguous.");
+  using Number = typename Matrix::Scalar;
+  const auto domain = make_domain(surface, np);
+  const auto write = [&](const internal::Row_engine& engine, const internal::Matrix_job& job,
+                         const internal::Front_limits& limits,
+                         const internal::Matrix_layout& layout, unsigned threads)
+  {
+    if(std::size_t(matrix.rows()) != layout.rows || std::size_t(matrix.cols()) != layout.columns)
+      throw Invalid_argument_error(
+          "The matrix has another number of rows or columns than the result.");
+    internal::write_distance_matrix(
+        engine, domain.triangles()->scale, job, limits, threads, layout, matrix.derived().data(),
+        std::ptrdiff_t(sizeof(Number)) * std::ptrdiff_t(matrix.derived().outerStride()));
+  };
+  internal::with_matrix_job<Concurrency_tag, Number>(domain, internal::read_method<Method>(np),
+                                                     sources, np, write);
 }
 
 /// \ingroup PkgGeodesicProcessingDistances

@@ -43,12 +43,13 @@ void check_method(const std::string& method, const Surface& surface);
 // Checks the name of a method or metric. Throws Usage_error if it is unknown.
 void check_method_or_metric(const std::string& method);
 
-// Not public: Solvers and maps have the method as template argument, and each command would be
-// compiled once for each of six methods.
-using GP::internal::Distance_method;
+// Solvers and maps have the method as template argument, and each command would be compiled once for
+// each of six methods.
+using GP::Distance_method;
+using GP::Runtime_method;
+// Not public: the methods of logarithmic maps.
 using GP::internal::Log_kind;
 using GP::internal::Log_method;
-using GP::internal::Runtime_method;
 
 // Converts the name of a method that passed check_method().
 Distance_method to_method(const std::string& method);
@@ -60,24 +61,6 @@ void check_memory(const Job& job, const std::string& method);
 // Solver whose method is selected at run time
 template <typename Surface_type>
 using Distance_solver = GP::Geodesic_distance_solver<Surface_type, Runtime_method>;
-
-// Calls f with the tag of a method that passed check_method(). Use it for functions that take
-// little time to compile.
-template <typename Function>
-auto with_method_tag(const std::string& method, Function f)
-{
-  if(method == "dijkstra")
-    return f(GP::Dijkstra());
-  if(method == "fast-marching")
-    return f(GP::Fast_marching());
-  if(method == "exact")
-    return f(GP::Exact());
-  if(method == "heat")
-    return f(GP::Heat());
-  if(method == "euclidean")
-    return f(GP::Euclidean_front());
-  return f(GP::Automatic());
-}
 
 // Domains of all commands that compute distances. The mesh may be that of the job's surface, whose
 // domain exists already.

@@ -26,7 +26,7 @@ struct Diameter_path
 Diameter_path find_diameter_path(const Mesh_domain& domain, Mesh::Vertex_index from,
                                  Mesh::Vertex_index to, const Job& job)
 {
-  Distance_solver<Mesh> solver(domain, Distance_method::exact);
+  Distance_solver<Mesh> solver(domain, GP::parameters::method(Distance_method::exact));
   solver.compute(from);
   Diameter_path result;
   result.points = coordinates_of(solver.path(to).points);

@@ -97,7 +97,9 @@ Distance_result compute_distances(const Domain& domain, const Distance_options& 
   if(!std::isfinite(options.max_distance))
     check_memory(job,
                  options.method == "automatic" && !speed.empty() ? "euclidean" : options.method);
-  Distance_solver<Surface_type> solver(domain, to_method(options.method), options.heat_time_step);
+  Distance_solver<Surface_type> solver(
+      domain,
+      GP::parameters::method(to_method(options.method)).heat_time_step(options.heat_time_step));
   job.begin_stage("query");
   solver.compute(sources, GP::parameters::maximum_distance(options.max_distance)
                               .relative_tolerance(options.relative_tolerance)

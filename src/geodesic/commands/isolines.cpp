@@ -69,7 +69,7 @@ std::vector<double> source_distances(const Mesh_domain& domain, const Isoline_op
     fail(job.input(), "the mesh has no boundary");
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   check_memory(job, options.method == "automatic" && !speed.empty() ? "euclidean" : options.method);
-  Distance_solver<Mesh> solver(domain, to_method(options.method));
+  Distance_solver<Mesh> solver(domain, GP::parameters::method(to_method(options.method)));
   job.begin_stage("query");
   solver.compute(sources, GP::parameters::callback(job.progress_callback("distance"))
                               .speed_map(speed_map<Mesh::Vertex_index>(speed)));

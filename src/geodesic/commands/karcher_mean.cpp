@@ -62,7 +62,7 @@ void compute_paths([[maybe_unused]] const Domain& domain, const typename Domain:
   };
   if constexpr(is_mesh<typename Domain::Surface>)
   {
-    Distance_solver<Mesh> solver(domain, Distance_method::exact);
+    Distance_solver<Mesh> solver(domain, GP::parameters::method(Distance_method::exact));
     solver.compute(mean, GP::parameters::targets(points));
     for(const auto& point : points)
       append(solver.path(point));

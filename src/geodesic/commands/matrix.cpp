@@ -58,7 +58,7 @@ std::vector<double> picture_values(const Domain& domain,
     return values;
   }
   using Surface_type = typename Domain::Surface;
-  Distance_solver<Surface_type> solver(domain, to_method(method));
+  Distance_solver<Surface_type> solver(domain, GP::parameters::method(to_method(method)));
   solver.compute(descriptors, GP::parameters::maximum_distance(options.max_distance));
   for(std::size_t i = 0; i < values.size(); ++i)
     values[i] = solver.distance(vertex_at<Surface_type>(i));
@@ -77,8 +77,6 @@ Matrix_result compute_matrix(const Domain& domain, const Matrix_options& options
   for(const std::size_t vertex : result.vertices)
     descriptors.push_back(vertex_at<Surface_type>(vertex));
 
-  const auto parameters =
-      GP::parameters::number_of_threads(job.threads()).callback(job.progress_callback("distances"));
   if(is_metric(options.method))
   {
     with_metric<Surface_type>(domain, options.method, options.basis_size, job,
@@ -89,18 +87,15 @@ Matrix_result compute_matrix(const Domain& domain, const Matrix_options& options
   }
   else
   {
-    with_method_tag(options.method,
-                    [&](auto method)
-                    {
-                      using Method = decltype(method);
-                      if(options.is_sparse())
-                        result.sparse =
-                            GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
-                                domain, descriptors, options.max_distance, parameters);
-                      else
-                        result.dense = GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
-                            domain, descriptors, parameters);
-                    });
+    const auto np = GP::parameters::method(to_method(options.method))
+                        .number_of_threads(job.threads())
+                        .callback(job.progress_callback("distances"));
+    if(options.is_sparse())
+      result.sparse = GP::sparse_geodesic_distance_matrix<Runtime_method, CGAL::Parallel_tag>(
+          domain, descriptors, options.max_distance, np);
+    else
+      result.dense =
+          GP::geodesic_distance_matrix<Runtime_method, CGAL::Parallel_tag>(domain, descriptors, np);
     if(!job.picture().empty())
       result.values = picture_values(domain, descriptors, options.method, result, options, job);
   }

@@ -83,19 +83,15 @@ void write_rows(const Domain& domain, Job& job, const Matrix_file_options& optio
   if(range.second > number_of_rows)
     throw Usage_error("--rows: the matrix has only " + std::to_string(number_of_rows) + " rows.");
 
-  const auto np = GP::parameters::number_of_threads(job.threads())
+  const auto np = GP::parameters::method(to_method(method))
+                      .number_of_threads(job.threads())
                       .callback(job.progress_callback("distances"))
                       .maximum_distance(max_distance)
                       .row_range(range);
   const auto write = [&](auto number, const auto& parameters)
   {
-    with_method_tag(
-        method,
-        [&](auto tag)
-        {
-          GP::write_geodesic_distance_matrix<decltype(tag), CGAL::Parallel_tag, decltype(number)>(
-              domain, sources, job.output(), parameters);
-        });
+    GP::write_geodesic_distance_matrix<Runtime_method, CGAL::Parallel_tag, decltype(number)>(
+        domain, sources, job.output(), parameters);
   };
   const auto write_numbers = [&](const auto& parameters)
   { options.use_float32 ? write(float(), parameters) : write(double(), parameters); };

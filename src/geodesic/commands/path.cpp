@@ -127,7 +127,8 @@ Path_result find_path(const Domain& domain, const Path_options& options, Job& jo
         from, to, options, result,
         [&](const auto& begin, const auto& end)
         {
-          Distance_solver<Surface_type> solver(domain, to_method(distance_method(options)));
+          Distance_solver<Surface_type> solver(
+              domain, GP::parameters::method(to_method(distance_method(options))));
           solver.compute(end, GP::parameters::targets(begin).speed_map(
                                   speed_map<typename Domain::Vertex>(result.speed)));
           const auto path = solver.path(begin);

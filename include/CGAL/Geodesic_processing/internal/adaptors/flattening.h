@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_FLATTENING_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/method.h>
 #include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/base_points.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/lle.h>
@@ -81,11 +82,9 @@ std::vector<typename Domain::Vertex> flatten(const Domain& domain, UVMap uv_map,
                                              const NamedParameters& np, std::size_t default_number,
                                              const Map& map)
 {
-  static_assert(is_front<Method>,
-                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   using Value = typename boost::property_traits<UVMap>::value_type;
   const Surface_arrays& triangles = *domain.triangles();
-  const Front front(domain.triangles(), front_kind<Method>());
+  const Front front(domain.triangles(), read_front_kind<Method>(np));
   Sampling sampling(domain.triangles(), front, Sample_location::vertex);
   sample_base_points(domain, np, default_number, sampling);
 

@@ -76,7 +76,7 @@ Shared_slowness read_slowness(const Domain& domain, const NamedParameters& np)
     return nullptr;
 }
 
-// Reads the named parameter `heat_time_step`; empty if it is not given. Throws
+// Reads the named parameter `heat_time_step`; empty if it is not given or an empty optional. Throws
 // Invalid_argument_error if it is not positive or not finite.
 template <typename NamedParameters>
 std::optional<double> read_heat_time_step(const NamedParameters& np)
@@ -85,7 +85,7 @@ std::optional<double> read_heat_time_step(const NamedParameters& np)
   if constexpr(has_parameter<NamedParameters, internal_np::heat_time_step_t>)
   {
     result = parameter(np, internal_np::heat_time_step, 1.);
-    if(!(*result > 0. && *result < infinity))
+    if(result && !(*result > 0. && *result < infinity))
       throw Invalid_argument_error("The time step of the heat method is not positive and finite.");
   }
   return result;

@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/distances/heat.h>
 #include <CGAL/Geodesic_processing/tags.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -15,20 +16,6 @@
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
-
-enum class Distance_method
-{
-  dijkstra,
-  fast_marching,
-  euclidean_front,
-  exact,
-  heat,
-  automatic // exact on a mesh if the speeds admit it, otherwise euclidean_front
-};
-
-// The tag of a function or class whose method is a Distance_method that is passed at run time.
-struct Runtime_method
-{};
 
 template <typename Method>
 inline constexpr bool is_front =
@@ -72,6 +59,10 @@ constexpr Front_kind front_kind()
                                                  : Front_kind::euclidean;
 }
 
+// Returns the kind of front of a method; the Euclidean front if it is automatic. Throws
+// Invalid_argument_error if the method is not a front.
+CGAL_GEODESIC_PROCESSING_EXPORT Front_kind front_kind(Distance_method method);
+
 // What computes the rows of a matrix; each thread has a copy.
 using Row_engine = std::variant<const Front*, const Window_propagation*, const Heat_solver*>;
 
@@ -81,10 +72,13 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Distance_engine
 {
 public:
   // heat_time_step  as time_step of Heat_solver; empty for its default
+  // callback        as that of Heat_solver; the other kernels do not call it
   //
-  // Throws Unsupported_surface_error if there is a time step and the method is not heat.
+  // Throws Unsupported_surface_error if there is a time step and the method is not heat, or if the
+  // method is exact on a cloud.
   Distance_engine(Distance_method method, std::shared_ptr<const Surface_arrays> triangles,
-                  std::optional<double> heat_time_step = {});
+                  std::optional<double> heat_time_step = {},
+                  const std::function<bool(double)>& callback = {});
 
   // Selects the kernel that admits the speeds, if the method is automatic. run() calls it. Throws
   // Unsupported_surface_error if there is a relative tolerance and the kernel is not exact, or if

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 #include <CGAL/Geodesic_processing/internal/paths/Path_finder.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,8 +35,10 @@ public:
   // are fewer than two locations.
   Bounded_path shorten(const std::vector<Surface_location>& polyline);
   // Returns a shortest path; no locations if there is none. On a cloud, returns a locally shortest
-  // path.
-  Bounded_path shortest_path(const Surface_location& from, const Surface_location& to);
+  // path. The exact search calls `callback` with 0 from time to time. An exception that it throws
+  // cancels the search.
+  Bounded_path shortest_path(const Surface_location& from, const Surface_location& to,
+                             const std::function<bool(double)>& callback = {});
 
 private:
   std::shared_ptr<const Surface_arrays> m_triangles;

@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -112,8 +113,10 @@ public:
   // locations. `lower` is the length of the shortest path, at most `max_length`, minus round-off
   // errors. Only windows in the ellipse of this length around both locations are propagated.
   // Replaces the results of the last query, which has no obstacles.
+  //
+  // `callback` is called with 0 from time to time. An exception that it throws cancels the search.
   Bounded_path path_between(const Surface_location& from, const Surface_location& to,
-                            double max_length);
+                            double max_length, const std::function<bool(double)>& callback = {});
   // Returns all locally shortest paths to the sources whose length exceeds the distance by at most
   // this fraction of it; at most 64 paths. That fraction must be far shorter than an edge. Throws
   // Unsupported_surface_error, as departure(), if the query had a relative tolerance.

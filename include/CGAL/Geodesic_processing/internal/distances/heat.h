@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,7 +27,10 @@ public:
   // Computes two sparse factorizations, of the heat and of the Poisson system.
   //
   // time_step  in squared mean edge lengths; positive
-  explicit Heat_solver(std::shared_ptr<const Surface_arrays> triangles, double time_step = 1.);
+  // callback   called with 0 before each step; an exception that it throws cancels the computation.
+  //            A factorization is one step, because CHOLMOD cannot be interrupted.
+  explicit Heat_solver(std::shared_ptr<const Surface_arrays> triangles, double time_step = 1.,
+                       const std::function<bool(double)>& callback = {});
 
   // Throws Unsupported_surface_error if the limits have a slowness.
   static void check_speeds(const Front_limits& limits);

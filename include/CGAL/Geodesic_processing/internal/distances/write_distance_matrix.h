@@ -60,6 +60,14 @@ bool write_distance_matrix(const Row_engine& engine, double scale, const Matrix_
                            const Front_limits& limits, unsigned number_of_threads,
                            Matrix_file& file);
 
+// As write_distance_matrix() to a file, but writes the rows to memory, in which they follow each
+// other at distances of `row_stride` bytes. All threads compute different rows. If cancelled, some
+// rows are not written.
+CGAL_GEODESIC_PROCESSING_EXPORT
+bool write_distance_matrix(const Row_engine& engine, double scale, const Matrix_job& job,
+                           const Front_limits& limits, unsigned number_of_threads,
+                           const Matrix_layout& layout, void* rows, std::ptrdiff_t row_stride);
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WRITE_DISTANCE_MATRIX_H

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct Soup_options
   std::optional<double> merge_tolerance;
   bool do_remove_degenerate_faces = false;
   unsigned number_of_threads = 1; // the result does not depend on it
+  // Called with 0 between the steps of the construction. An exception that it throws cancels it.
+  std::function<bool(double)> callback;
 };
 
 // A soup after repair: oriented triangles whose halfedges are paired.

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -48,12 +49,15 @@ double isoline_position(double lower, double upper, double level, double length,
 // levels: any number of values, finite, in any order
 //
 // The result is in the order of the levels. For each level, open isolines precede closed ones.
+// `callback` is called with the fraction of the levels before each level. An exception that it
+// throws cancels the computation.
 // O(n log k + m) for n triangles, k levels and m locations.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Isoline> find_isolines(const Surface_arrays& triangles,
                                    const std::vector<double>& values,
                                    const std::vector<double>& levels,
-                                   Edge_interpolation interpolation = Edge_interpolation::linear);
+                                   Edge_interpolation interpolation = Edge_interpolation::linear,
+                                   const std::function<bool(double)>& callback = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 

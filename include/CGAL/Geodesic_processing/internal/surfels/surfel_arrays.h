@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -26,6 +27,8 @@ struct Surfel_options
   // divided by sqrt(2).
   unsigned rank = 8;
   unsigned number_of_threads = 1; // does not change the result
+  // Called with 0 between the steps of the construction. An exception that it throws cancels it.
+  std::function<bool(double)> callback;
 };
 
 // The arrays of a cloud, and the maps between the caller's surfels and the vertices of the arrays.

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -23,6 +24,8 @@ struct Estimated_surfels
 // number_of_neighbors  at least 6
 // outlier_percentage   percentage of the points to remove: those with the largest mean squared
 //                      distance to their neighbors
+// callback             called with 0 between the steps; an exception that it throws cancels the
+//                      computation
 //
 // Normals are estimated by estimate_normals() and oriented. Radii are those of make_cloud().
 //
@@ -31,7 +34,8 @@ struct Estimated_surfels
 // remaining points does not exceed the number of neighbors. O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned number_of_neighbors,
-                                   double outlier_percentage, unsigned number_of_threads = 1);
+                                   double outlier_percentage, unsigned number_of_threads = 1,
+                                   const std::function<bool(double)>& callback = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 
