@@ -31,11 +31,13 @@ public:
   using Location = typename Surface_type::Location;
   using Vertex_or_location = typename Surface_type::Vertex_or_location;
 
-  Solver(std::shared_ptr<Surface_type> surface, const py::object& method)
+  Solver(std::shared_ptr<Surface_type> surface, const py::object& method,
+         const py::object& callback)
       : m_surface(std::move(surface))
   {
-    const Distance_method kind = Surface_type::checked_method(method);
-    Computation().run([&] { m_solver.emplace(m_surface->domain(), kind); });
+    Computation computation(callback);
+    const auto np = GP::parameters::method(parse_method(method)).callback(computation.callback());
+    computation.run([&] { m_solver.emplace(m_surface->domain(), np); });
   }
 
   void compute(const py::object& source_list, const py::object& maximum,
@@ -179,9 +181,11 @@ bind_surface(py::module_& module, const char* surface_name, const char* solver_n
       .def("points", &Surface_type::points)
       .def("paths", &Surface_type::paths)
       .def("distance_matrix", &Surface_type::distance_matrix)
+      .def("sparse_distance_matrix", &Surface_type::sparse_distance_matrix)
       .def("farthest_points", &Surface_type::farthest_points)
-      .def("solver", [](const std::shared_ptr<Surface_type>& self, const py::object& method)
-           { return std::make_unique<Solver_type>(self, method); });
+      .def("solver", [](const std::shared_ptr<Surface_type>& self, const py::object& method,
+                        const py::object& callback)
+           { return std::make_unique<Solver_type>(self, method, callback); });
   py::class_<Solver_type>(module, solver_name)
       .def("compute", &Solver_type::compute)
       .def("write_distances", &Solver_type::write_distances)

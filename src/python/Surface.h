@@ -12,13 +12,16 @@
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_voronoi_diagram.h>
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
+#include <CGAL/Geodesic_processing/write_geodesic_distance_matrix.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -33,9 +36,9 @@
 
 namespace python {
 
-// Not public: A solver has its method as a template argument. One class of Python has all methods.
-using GP::internal::Distance_method;
-using GP::internal::Runtime_method;
+// One class of Python has all methods.
+using GP::Distance_method;
+using GP::Runtime_method;
 
 // Returns the method of a name. Throws Invalid_argument_error if it is unknown.
 Distance_method parse_method(const py::object& name);
@@ -55,6 +58,20 @@ struct Number_map
   const Numbers* numbers;
 
   friend double get(const Number_map& map, Key key) { return (*map.numbers)(std::size_t(key)); }
+};
+
+// A readable property map of labels.
+template <typename Key>
+struct Label_map
+{
+  using key_type = Key;
+  using value_type = std::int64_t;
+  using reference = std::int64_t;
+  using category = boost::readable_property_map_tag;
+
+  const Integers* labels;
+
+  friend std::int64_t get(const Label_map& map, Key key) { return (*map.labels)(std::size_t(key)); }
 };
 
 // A writable property map: the values are converted to `Number` and written to an array.
@@ -176,18 +193,24 @@ public:
     return result;
   }
 
-  // Reads sources with optional offsets, one for each source.
+  // Reads sources with optional offsets, one for each source. A source is a vertex, a location or a
+  // polyline.
   std::vector<Source> sources(const py::object& object, const py::object& offsets) const
   {
-    const std::vector<Vertex_or_location> positions = vertices_or_locations(object, "sources");
-    std::optional<Numbers> values;
-    if(!offsets.is_none())
-      values.emplace(offsets, "offsets", Shape{py::ssize_t(positions.size())});
-    std::vector<Source> result = make_sources(positions);
-    if(values)
-      for(std::size_t i = 0; i < result.size(); ++i)
-        std::visit([&](const auto& position) { result[i] = Source(position, (*values)(i)); },
-                   positions[i]);
+    std::vector<Source> result;
+    if(is_polyline(object))
+      result.emplace_back(polyline(object));
+    else if(is_single(object) || py::isinstance<py::array>(object) ||
+            !py::hasattr(object, "__iter__"))
+      result = make_sources(vertices_or_locations(object, "sources"));
+    else
+      result = source_list(object);
+    if(offsets.is_none())
+      return result;
+    const Numbers values(offsets, "offsets", Shape{py::ssize_t(result.size())});
+    for(std::size_t i = 0; i < result.size(); ++i)
+      std::visit([&](const auto& position) { result[i] = Source(position, values(i)); },
+                 result[i].location());
     return result;
   }
   static std::vector<Source> make_sources(const std::vector<Vertex_or_location>& positions)
@@ -196,6 +219,29 @@ public:
     result.reserve(positions.size());
     for(const Vertex_or_location& any_position : positions)
       std::visit([&](const auto& position) { result.emplace_back(position); }, any_position);
+    return result;
+  }
+  // Returns the vertices and locations of sources. Throws Invalid_argument_error if a source is a
+  // polyline.
+  static std::vector<Vertex_or_location> positions(const std::vector<Source>& sources)
+  {
+    std::vector<Vertex_or_location> result;
+    result.reserve(sources.size());
+    for(const Source& source : sources)
+      if(const Vertex* vertex = std::get_if<Vertex>(&source.location()))
+        result.emplace_back(*vertex);
+      else if(std::get<1>(source.location()).size() == 1)
+        result.emplace_back(std::get<1>(source.location()).front());
+      else
+        reject("targets are required if a source is a polyline.");
+    return result;
+  }
+  std::vector<Vertex> all_vertices() const
+  {
+    std::vector<Vertex> result;
+    result.reserve(m_number_of_points);
+    for(std::size_t i = 0; i < m_number_of_points; ++i)
+      result.push_back(vertex(i));
     return result;
   }
 
@@ -281,14 +327,20 @@ public:
   {
     const Numbers numbers(points, "points", {any, 3});
     std::vector<Location> result;
-    Computation().run(
+    Computation computation;
+    const auto callback = computation.callback();
+    computation.run(
         [&]
         {
           std::call_once(m_locator_flag, [&] { m_locator.emplace(m_domain); });
           result.reserve(numbers.size());
           for(std::size_t i = 0; i < numbers.size(); ++i)
+          {
+            if(!callback(double(i) / double(numbers.size())))
+              throw GP::Cancelled();
             result.push_back(
                 (*m_locator)(Kernel::Point_3(numbers(i, 0), numbers(i, 1), numbers(i, 2))));
+          }
         });
     return location_arrays(result);
   }
@@ -319,7 +371,7 @@ public:
   }
 
   // Returns the paths between pairs of vertices or locations.
-  py::list paths(const py::object& pairs)
+  py::list paths(const py::object& pairs, const py::object& callback)
   {
     std::vector<std::array<Vertex_or_location, 2>> ends;
     if(!py::hasattr(pairs, "__iter__"))
@@ -335,69 +387,140 @@ public:
     if(ends.empty())
       reject("pairs are empty.");
     py::list result;
-    for(const auto& [from, to] : ends)
+    Computation computation(callback);
+    for(std::size_t i = 0; i < ends.size(); ++i)
     {
+      const std::function<bool(double)> progress =
+          [fraction = double(i) / double(ends.size()), report = computation.callback()](double)
+      { return report(fraction); };
       GP::Geodesic_path<Input> path;
-      Computation computation;
-      computation.run(
-          [&, &from = from, &to = to]
-          {
-            use_finder(
-                [&](auto& finder) {
-                  path = std::visit([&](const auto& a, const auto& b) { return finder(a, b); },
-                                    from, to);
-                });
-          });
+      computation.run([&] { path = this->path(ends[i], progress); });
       result.append(path_arrays(path));
-      if(PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
     }
     return result;
   }
 
-  // Returns the matrix of distances. Rows are sources, columns are targets.
-  py::object distance_matrix(const py::object& source_list, const py::object& target_list,
-                             const py::object& maximum, const py::object& method,
-                             const py::object& threads, const py::object& callback) const
+  // Returns the matrix of distances: `out`, or a new array. Rows are sources or, if they are None,
+  // all vertices or their regions. Columns are targets or, if they are None, the sources, or the
+  // regions of all vertices.
+  py::array distance_matrix(const py::object& source_list, const py::object& target_list,
+                            const py::object& maximum, const py::object& region_labels,
+                            bool do_average, const py::object& type, const py::object& out,
+                            const py::object& method, const py::object& threads,
+                            const py::object& callback) const
   {
-    const Distance_method kind = checked_method(method);
+    const auto kind = parse_method(method);
     const double maximum_distance = number(maximum, "max_distance");
     const unsigned number_of_threads = parse_threads(threads);
-    const auto rows = vertices_or_locations(source_list, "sources");
-    const auto columns = target_list.is_none() ? rows : targets(target_list);
-    const std::vector<Source> from = make_sources(rows);
+    std::optional<Integers> regions;
+    std::size_t number_of_regions = 0;
+    if(!region_labels.is_none())
+    {
+      regions.emplace(region_labels, "regions", Shape{py::ssize_t(m_number_of_points)});
+      number_of_regions = count_regions(*regions);
+    }
+    using Regions = std::optional<Label_map<Vertex>>;
+    const auto regions_of = [&](const py::object& list)
+    { return regions && list.is_none() ? Regions(Label_map<Vertex>{&*regions}) : Regions(); };
+    const Regions row_regions = regions_of(source_list), column_regions = regions_of(target_list);
+    if(regions && !row_regions && !column_regions)
+      reject("regions cannot be combined with sources and targets.");
+
+    const std::vector<Vertex> vertices = all_vertices();
+    const std::vector<Source> given =
+        source_list.is_none() ? std::vector<Source>() : sources(source_list, py::none());
+    const auto columns = !target_list.is_none() ? targets(target_list)
+                         : given.empty() || column_regions
+                             ? std::vector<Vertex_or_location>(vertices.begin(), vertices.end())
+                             : positions(given);
+    const std::size_t number_of_rows = row_regions     ? number_of_regions
+                                       : given.empty() ? vertices.size()
+                                                       : given.size();
+    const py::array result =
+        matrix_output(out,
+                      {py::ssize_t(number_of_rows),
+                       py::ssize_t(column_regions ? number_of_regions : columns.size())},
+                      type);
+
     Computation computation(callback);
-    auto result = std::make_unique<Eigen::MatrixXd>();
+    const auto write = [&](const auto& from, const auto& np)
+    {
+      if(py::isinstance<py::array_t<double>>(result))
+        write_matrix<double>(computation, from, result, np);
+      else
+        write_matrix<float>(computation, from, result, np);
+    };
+    const auto write_rows = [&](const auto& np)
+    {
+      if(given.empty())
+        write(vertices, np.row_region_map(row_regions));
+      else
+        write(given, np);
+    };
     with_targets(columns,
                  [&](const auto& positions)
                  {
-                   const auto np = GP::parameters::targets(positions)
+                   const auto np = GP::parameters::method(kind)
+                                       .targets(positions)
                                        .maximum_distance(maximum_distance)
+                                       .do_average_regions(do_average)
                                        .number_of_threads(number_of_threads)
                                        .callback(computation.callback());
-                   computation.run_beside(
-                       [&]
-                       {
-                         // Not public: geodesic_distance_matrix() has the method as a template
-                         // argument.
-                         *result = GP::internal::distances_of_pairs<CGAL::Parallel_tag>(
-                             m_domain, kind, from, np);
-                       });
+                   if constexpr(std::is_same_v<decltype(positions), const std::vector<Vertex>&>)
+                     write_rows(np.region_map(column_regions));
+                   else
+                     write_rows(np);
                  });
-    // The array refers to the matrix, which is stored by columns.
-    Eigen::MatrixXd* const matrix = result.release();
-    const py::capsule owner(matrix, [](void* data) { delete static_cast<Eigen::MatrixXd*>(data); });
-    const auto size = py::ssize_t(sizeof(double));
-    return py::array_t<double>(Shape{matrix->rows(), matrix->cols()},
-                               Shape{size, size * matrix->rows()}, matrix->data(), owner);
+    return result;
+  }
+
+  // Returns the entries, their columns and the beginnings of the rows of the sparse matrix of the
+  // distances between vertices, or between all vertices for None.
+  py::tuple sparse_distance_matrix(const py::object& vertex_list, const py::object& maximum,
+                                   const py::object& method, const py::object& threads,
+                                   const py::object& callback) const
+  {
+    const auto kind = parse_method(method);
+    const double maximum_distance = number(maximum, "max_distance");
+    const unsigned number_of_threads = parse_threads(threads);
+    std::vector<Vertex> vertices;
+    if(vertex_list.is_none())
+      vertices = all_vertices();
+    else
+      for(const Vertex_or_location& position : vertices_or_locations(vertex_list, "vertices"))
+        if(const Vertex* const vertex = std::get_if<Vertex>(&position))
+          vertices.push_back(*vertex);
+        else
+          reject("vertices contain a location. A sparse matrix is one of vertices.");
+    Computation computation(callback);
+    auto result = std::make_unique<Eigen::SparseMatrix<double, Eigen::RowMajor>>();
+    const auto np = GP::parameters::method(kind)
+                        .number_of_threads(number_of_threads)
+                        .callback(computation.callback());
+    computation.run_beside(
+        [&]
+        {
+          *result = GP::sparse_geodesic_distance_matrix<Runtime_method, CGAL::Parallel_tag>(
+              m_domain, vertices, maximum_distance, np);
+        });
+    // The arrays refer to the matrix.
+    auto* const matrix = result.release();
+    const py::capsule owner(
+        matrix, [](void* data)
+        { delete static_cast<Eigen::SparseMatrix<double, Eigen::RowMajor>*>(data); });
+    const auto size = py::ssize_t(matrix->nonZeros());
+    return py::make_tuple(py::array_t<double>(size, matrix->valuePtr(), owner),
+                          py::array_t<int>(size, matrix->innerIndexPtr(), owner),
+                          py::array_t<int>(matrix->rows() + 1, matrix->outerIndexPtr(), owner));
   }
 
   // Returns the locations of samples, the covering radius after each of them, and the sample of
   // each vertex.
   py::tuple farthest_points(const py::object& count, const py::object& radius,
-                            const py::object& first, const py::object& speed,
-                            const py::object& callback) const
+                            const py::object& first, const py::object& method,
+                            const py::object& speed, const py::object& callback) const
   {
+    const auto kind = parse_method(method);
     std::size_t size = std::numeric_limits<std::size_t>::max();
     if(!count.is_none())
       size = index(count, "number of samples", std::size_t(1) << 31);
@@ -409,36 +532,28 @@ public:
     std::vector<double> radii;
     py::array_t<std::int64_t> labels{Shape{py::ssize_t(m_number_of_points)}};
     Computation computation(callback);
-    with_targets(
-        targets(first),
-        [&](const auto& first_samples)
-        {
-          const auto np = GP::parameters::covering_radius(covering_radius)
-                              .first_samples(first_samples)
-                              .covering_radius_output(std::back_inserter(radii))
-                              .source_label_map(label_map<Vertex>(labels))
-                              .speed_map(speed_map(speeds))
-                              .callback(computation.callback());
-          computation.run(
-              [&]
-              { GP::farthest_point_sampling(m_domain, size, std::back_inserter(samples), np); });
-        });
+    with_targets(targets(first),
+                 [&](const auto& first_samples)
+                 {
+                   const auto np = GP::parameters::method(kind)
+                                       .covering_radius(covering_radius)
+                                       .first_samples(first_samples)
+                                       .covering_radius_output(std::back_inserter(radii))
+                                       .source_label_map(label_map<Vertex>(labels))
+                                       .speed_map(speed_map(speeds))
+                                       .callback(computation.callback());
+                   computation.run(
+                       [&] {
+                         GP::farthest_point_sampling<Runtime_method>(
+                             m_domain, size, std::back_inserter(samples), np);
+                       });
+                 });
     const py::tuple locations = location_arrays(samples);
     return py::make_tuple(locations[0], locations[1],
                           py::array_t<double>(py::ssize_t(radii.size()), radii.data()), labels);
   }
 
   // ---- For solvers
-
-  // Reads the name of a method. Throws Unsupported_surface_error if the surface does not admit it.
-  static Distance_method checked_method(const py::object& name)
-  {
-    const Distance_method method = parse_method(name);
-    if(is_cloud && method == Distance_method::exact)
-      throw GP::Unsupported_surface_error("Exact distances need a mesh, because the triangles of a "
-                                          "cloud are not connected.");
-    return method;
-  }
 
   // Reads the speeds of vertices; empty for None.
   std::optional<Numbers> vertex_speeds(const py::object& speed) const
@@ -476,6 +591,82 @@ public:
 
 private:
   static constexpr const char* element_name = is_cloud ? "surfel" : "face";
+
+  // Returns whether an object is a Polyline, a class of Python.
+  static bool is_polyline(const py::handle& object)
+  {
+    return py::isinstance(object,
+                          py::module_::import("geodesic_processing._types").attr("Polyline"));
+  }
+  // Reads a Polyline.
+  typename Source::Polyline polyline(const py::handle& object) const
+  {
+    typename Source::Polyline result;
+    for(const py::handle item : object)
+      result.push_back(std::get<Location>(vertex_or_location(item)));
+    if(result.empty())
+      reject("A polyline has no location.");
+    return result;
+  }
+  // Reads a range that is not an array.
+  std::vector<Source> source_list(const py::object& object) const
+  {
+    if(py::isinstance<py::str>(object) || py::isinstance<py::bytes>(object))
+      reject("sources are neither vertices nor locations nor polylines.");
+    std::vector<Source> result;
+    for(const py::handle item : object)
+      if(is_polyline(item))
+        result.emplace_back(polyline(item));
+      else
+        std::visit([&](const auto& position) { result.emplace_back(position); },
+                   vertex_or_location(item));
+    if(result.empty())
+      reject("sources are empty.");
+    return result;
+  }
+
+  // Returns the number of regions of a label for each vertex. Throws Invalid_argument_error if
+  // there is none, or if a label is not smaller than the number of vertices.
+  static std::size_t count_regions(const Integers& labels)
+  {
+    std::int64_t last = -1;
+    for(std::size_t i = 0; i < labels.size(); ++i)
+      last = std::max(last, labels(i));
+    if(last < 0)
+      reject("regions contain no vertex.");
+    return checked_index(last, "region", labels.size()) + 1;
+  }
+
+  template <typename Number, typename From, typename NamedParameters>
+  void write_matrix(Computation& computation, const From& from, py::array result,
+                    const NamedParameters& np) const
+  {
+    using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<Matrix> matrix(static_cast<Number*>(result.mutable_data()), result.shape(0),
+                              result.shape(1));
+    computation.run_beside(
+        [&]
+        {
+          GP::write_geodesic_distance_matrix<Runtime_method, CGAL::Parallel_tag>(m_domain, from,
+                                                                                 matrix, np);
+        });
+  }
+
+  GP::Geodesic_path<Input> path(const std::array<Vertex_or_location, 2>& ends,
+                                const std::function<bool(double)>& callback)
+  {
+    if(!callback(0.))
+      throw GP::Cancelled();
+    GP::Geodesic_path<Input> result;
+    use_finder(
+        [&](auto& finder)
+        {
+          result = std::visit([&](const auto& a, const auto& b)
+                              { return finder(a, b, GP::parameters::callback(callback)); },
+                              ends[0], ends[1]);
+        });
+    return result;
+  }
 
   std::size_t number_of_elements() const
   {

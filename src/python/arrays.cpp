@@ -123,6 +123,58 @@ std::vector<double> numbers_of(const py::handle& object, const std::string& name
   return result;
 }
 
+namespace {
+
+bool is_aligned(const py::array& array, std::size_t size)
+{
+  for(py::ssize_t k = 0; k < array.ndim(); ++k)
+    if(array.strides(k) % py::ssize_t(size) != 0)
+      return false;
+  return reinterpret_cast<std::uintptr_t>(array.data()) % size == 0;
+}
+
+// Throws Invalid_argument_error unless `out` is a writable array of numbers of this size and of this
+// shape.
+void check_output(const py::array& out, const Shape& shape, std::size_t size)
+{
+  if(shape_of(out) != shape)
+    reject("out has the shape " + text_of(shape_of(out)) + ", but its shape must be " +
+           text_of(shape) + ".");
+  if(!out.writeable())
+    reject("out is not writable.");
+  if(!is_aligned(out, size)) // values are written as numbers of this type
+    reject("out is not aligned.");
+}
+
+} // namespace
+
+py::array matrix_output(const py::object& out, const Shape& shape, const py::object& type)
+{
+  if(out.is_none())
+  {
+    for(const py::dtype& known : {py::dtype::of<double>(), py::dtype::of<float>()})
+      try
+      {
+        if(!type.is_none() && py::dtype::from_args(type).equal(known))
+          return py::array(known, shape);
+      }
+      catch(const py::error_already_set& error)
+      {
+        if(error.matches(PyExc_MemoryError))
+          throw;
+      }
+    reject("dtype is neither float64 nor float32.");
+  }
+  const bool is_double = py::isinstance<py::array_t<double>>(out);
+  if(!is_double && !py::isinstance<py::array_t<float>>(out))
+    reject("out is not an array of float64 or float32.");
+  auto result = py::reinterpret_borrow<py::array>(out);
+  check_output(result, shape, is_double ? sizeof(double) : sizeof(float));
+  if(!(result.flags() & py::array::c_style))
+    reject("out is not in C order.");
+  return result;
+}
+
 py::array_t<double> output(const py::object& out, const Shape& shape)
 {
   if(out.is_none())
@@ -130,17 +182,7 @@ py::array_t<double> output(const py::object& out, const Shape& shape)
   if(!py::isinstance<py::array_t<double>>(out))
     reject("out is not an array of float64.");
   auto result = py::reinterpret_borrow<py::array_t<double>>(out);
-  if(shape_of(result) != shape)
-    reject("out has the shape " + text_of(shape_of(result)) + ", but its shape must be " +
-           text_of(shape) + ".");
-  if(!result.writeable())
-    reject("out is not writable.");
-  // Values are written as numbers of this type.
-  for(py::ssize_t k = 0; k < result.ndim(); ++k)
-    if(result.strides(k) % py::ssize_t(sizeof(double)) != 0)
-      reject("out is not aligned.");
-  if(reinterpret_cast<std::uintptr_t>(result.data()) % alignof(double) != 0)
-    reject("out is not aligned.");
+  check_output(result, shape, sizeof(double));
   return result;
 }
 

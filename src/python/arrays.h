@@ -91,6 +91,10 @@ private:
 // Reads an array of numbers with one dimension.
 std::vector<double> numbers_of(const py::handle& object, const std::string& name,
                                py::ssize_t size = any);
+// Returns a new array of an element type in C order, or `out` if it is not None. Throws
+// Invalid_argument_error if the type is not float64 or float32, or if `out` is not a writable array
+// of such a type with this shape in C order.
+py::array matrix_output(const py::object& out, const Shape& shape, const py::object& type);
 
 // Returns a new array of float64, or `out` if it is not None. Throws Invalid_argument_error if `out`
 // is not a writable array of float64 with this shape.

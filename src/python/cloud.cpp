@@ -23,7 +23,8 @@ auto map_of(const Function& f)
 std::shared_ptr<Cloud_surface>
 make_surface(std::size_t size, const std::function<Kernel::Point_3(std::size_t)>& point_of,
              const std::function<Kernel::Vector_3(std::size_t)>& normal_of,
-             const std::function<double(std::size_t)>& radius_of)
+             const std::function<double(std::size_t)>& radius_of,
+             const std::function<bool(double)>& callback)
 {
   const Cloud cloud{size};
   std::vector<Kernel::Vector_3> estimated;
@@ -31,12 +32,15 @@ make_surface(std::size_t size, const std::function<Kernel::Point_3(std::size_t)>
   if(!normal_of)
   {
     estimated.resize(size);
-    GP::estimate_surfels<CGAL::Parallel_tag>(
-        cloud,
-        GP::parameters::point_map(map_of(point_of)).normal_map(CGAL::make_property_map(estimated)));
+    GP::estimate_surfels<CGAL::Parallel_tag>(cloud,
+                                             GP::parameters::point_map(map_of(point_of))
+                                                 .normal_map(CGAL::make_property_map(estimated))
+                                                 .callback(callback));
     given_normal_of = [&](std::size_t i) { return estimated[i]; };
   }
-  const auto np = GP::parameters::point_map(map_of(point_of)).normal_map(map_of(given_normal_of));
+  const auto np = GP::parameters::point_map(map_of(point_of))
+                      .normal_map(map_of(given_normal_of))
+                      .callback(callback);
   const auto domain = [&]
   {
     return radius_of ? GP::make_domain<CGAL::Parallel_tag>(cloud, np.radius_map(map_of(radius_of)))
@@ -56,7 +60,7 @@ std::function<Value(std::size_t)> reader(const std::optional<Numbers>& numbers)
 }
 
 std::shared_ptr<Cloud_surface> cloud_of_arrays(const py::object& P, const py::object& normals,
-                                               const py::object& radii)
+                                               const py::object& radii, const py::object& callback)
 {
   const std::optional<Numbers> points(std::in_place, P, "P", Shape{any, 3});
   const auto size = py::ssize_t(points->size());
@@ -70,27 +74,32 @@ std::shared_ptr<Cloud_surface> cloud_of_arrays(const py::object& P, const py::ob
     radius_of = [&radius_array](std::size_t i) { return (*radius_array)(i); };
   }
   std::shared_ptr<Cloud_surface> result;
-  Computation().run(
+  Computation computation(callback);
+  computation.run(
       [&]
       {
-        result = make_surface(points->size(), reader<Kernel::Point_3>(points),
-                              reader<Kernel::Vector_3>(normal_array), radius_of);
+        result =
+            make_surface(points->size(), reader<Kernel::Point_3>(points),
+                         reader<Kernel::Vector_3>(normal_array), radius_of, computation.callback());
       });
   return result;
 }
 
 // Returns the labels of surfels.
 py::array_t<std::int64_t> voronoi(const Cloud_surface& surface, const py::object& seeds,
-                                  const py::object& speed, const py::object& callback)
+                                  const py::object& method, const py::object& speed,
+                                  const py::object& callback)
 {
   const auto sources = surface.sources(seeds, py::none());
   const std::optional<Numbers> speeds = surface.vertex_speeds(speed);
   py::array_t<std::int64_t> labels(py::ssize_t(surface.number_of_points()));
   Computation computation(callback);
-  const auto np =
-      GP::parameters::speed_map(Cloud_surface::speed_map(speeds)).callback(computation.callback());
+  const auto np = GP::parameters::method(parse_method(method))
+                      .speed_map(Cloud_surface::speed_map(speeds))
+                      .callback(computation.callback());
   const auto map = label_map<std::size_t>(labels);
-  computation.run([&] { GP::geodesic_voronoi_diagram(surface.domain(), sources, map, np); });
+  computation.run(
+      [&] { GP::geodesic_voronoi_diagram<Runtime_method>(surface.domain(), sources, map, np); });
   return labels;
 }
 
@@ -108,8 +117,13 @@ py::object cloud_of_file(const program::Surface_file& file)
   if(const auto radii = file.properties.find("radius"); radii != file.properties.end())
     radius_of = [values = &radii->second](std::size_t i) { return (*values)[i]; };
   std::shared_ptr<Cloud_surface> result;
-  Computation().run([&]
-                    { result = make_surface(file.points.size(), point_of, normal_of, radius_of); });
+  Computation computation;
+  computation.run(
+      [&]
+      {
+        result = make_surface(file.points.size(), point_of, normal_of, radius_of,
+                              computation.callback());
+      });
   return py::cast(result);
 }
 

@@ -17,16 +17,18 @@ namespace {
 using Vertex = Mesh_surface::Vertex;
 
 py::list isolines(const Mesh_surface& surface, const py::object& values, const py::object& levels,
-                  bool do_fit_circles)
+                  bool do_fit_circles, const py::object& callback)
 {
   const Numbers value_array(values, "values", {py::ssize_t(surface.number_of_points())});
   const std::vector<double> isovalues = numbers_of(levels, "levels");
   std::vector<GP::Isoline<Mesh>> lines;
-  Computation().run(
+  Computation computation(callback);
+  const auto np = GP::parameters::do_fit_circles(do_fit_circles).callback(computation.callback());
+  computation.run(
       [&]
       {
         GP::isolines(surface.domain(), Number_map<Vertex>{&value_array}, isovalues,
-                     std::back_inserter(lines), GP::parameters::do_fit_circles(do_fit_circles));
+                     std::back_inserter(lines), np);
       });
   return isoline_tuples(lines);
 }

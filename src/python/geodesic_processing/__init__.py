@@ -10,6 +10,8 @@ Conventions
   vertices, and ``Locations``. A tuple of two integers is a range of two vertices.
 - Images and textures are arrays of uint8. Their first row is the highest one, as in image files.
   Coordinates (0, 0) of an image or a texture are its lower left corner.
+  vertices, and ``Locations``. A tuple of two integers is a range of two vertices. A source can also
+  be a ``Polyline``.
 - Lengths have the unit of the coordinates. A distance is infinite if no source reaches the vertex.
 - Arrays of float64 and float32, int32, int64, uint32 and uint64 are read without a copy, with any
   strides. Others are converted.
@@ -23,10 +25,11 @@ Conventions
 """
 
 from ._atlas import Atlas
+from ._convert import as_surface
 from ._core import Cancelled, FileError, InvalidArgumentError, UnsupportedSurfaceError
-from ._curves import Isoline, Loop, Polyline, SplitMesh
+from ._curves import Isoline, Loop, PolylinePath, SplitMesh
 from ._decals import Decal, DecalTexture
-from ._distances import Path, Solver, SurfelPath
+from ._distances import Path, Solver, SparseMatrix, SurfelPath
 from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
 from ._fuzzy import FuzzyGeodesic
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
@@ -45,7 +48,7 @@ from ._transport import (
     TransportCost,
     mass_density,
 )
-from ._types import Location, Locations, SurfelLocation
+from ._types import Location, Locations, Polyline, SurfelLocation
 from ._volumes import VolumetricDistances, VolumetricMetric, VolumetricPath
 
 __all__ = [
@@ -76,11 +79,13 @@ __all__ = [
     "MassDensity",
     "Path",
     "Polyline",
+    "PolylinePath",
     "Radius",
     "RegionTransport",
     "Samples",
     "Solver",
     "SoupReport",
+    "SparseMatrix",
     "SplitMesh",
     "StraightestGeodesic",
     "Streamline",
@@ -96,6 +101,7 @@ __all__ = [
     "VolumetricMetric",
     "VolumetricPath",
     "Voronoi",
+    "as_surface",
     "mass_density",
     "read",
 ]

@@ -49,7 +49,7 @@ class SplitMesh(NamedTuple):
     """Shape (k, 2): the edges of the copy that are on isolines, as pairs of points."""
 
 
-class Polyline(NamedTuple):
+class PolylinePath(NamedTuple):
     """A path through points in a given order."""
 
     path: Path | SurfelPath
@@ -82,7 +82,12 @@ class Curves(Distances):
     """The functions of a surface for curves."""
 
     def isolines(
-        self, values: ArrayLike, levels: ArrayLike, *, fit_circles: bool = False
+        self,
+        values: ArrayLike,
+        levels: ArrayLike,
+        *,
+        fit_circles: bool = False,
+        callback: Callback | None = None,
     ) -> list[Isoline]:
         """Computes the isolines of a function on a mesh that is linear in each face.
 
@@ -94,8 +99,10 @@ class Curves(Distances):
             Shape (k,), finite: the values of the isolines.
         fit_circles
             Whether values are interpolated along edges like distances from a point in the plane.
+        callback
+            A function that takes the completed fraction.
         """
-        lines = self._mesh("isolines").isolines(values, levels, bool(fit_circles))
+        lines = self._mesh("isolines").isolines(values, levels, bool(fit_circles), callback)
         return [Isoline(*line) for line in lines]
 
     def split_at_isolines(
@@ -119,7 +126,7 @@ class Curves(Distances):
         surface: Surface = type(self)._of(core)  # type: ignore[assignment]
         return SplitMesh(surface, labels, Locations(*locations), edges)
 
-    def polyline(self, points: ManyLocations, *, close: bool = False) -> Polyline:
+    def polyline(self, points: ManyLocations, *, close: bool = False) -> PolylinePath:
         """Computes the shortest path that passes through points in a given order.
 
         The path consists of paths as by ``path()`` and has corners at the points. The functions
@@ -139,7 +146,7 @@ class Curves(Distances):
         On a cloud, each call takes O(n log n) time to prepare the search.
         """
         path, corners = self._core.polyline(points, bool(close))
-        return Polyline(self._path(path), corners)
+        return PolylinePath(self._path(path), corners)
 
     def shorten_polyline(self, points: ManyLocations) -> Path | SurfelPath:
         """Shortens a polyline to a locally shortest path with the same ends.

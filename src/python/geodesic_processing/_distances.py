@@ -9,12 +9,21 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _core
 from ._base import Base
 from ._core import InvalidArgumentError
-from ._types import Callback, Floats, Integers, Locations, ManyLocations, OneLocation
+from ._types import (
+    Callback,
+    Floats,
+    Integers,
+    Locations,
+    ManyLocations,
+    ManySources,
+    OneLocation,
+    Polyline,
+)
 
 
 class Path(NamedTuple):
@@ -53,10 +62,23 @@ class SurfelPath(NamedTuple):
     """The length of the smooth curve through the points, or the distance by a solver."""
 
 
+class SparseMatrix(NamedTuple):
+    """A sparse matrix by compressed rows. ``scipy.sparse.csr_matrix(m[:3], m.shape)`` accepts it."""
+
+    data: Floats
+    """The entries of all rows."""
+    indices: NDArray[np.int32]
+    """The column of each entry, increasing in each row."""
+    indptr: NDArray[np.int32]
+    """The entries of row i are those from ``indptr[i]`` to ``indptr[i + 1]``."""
+    shape: tuple[int, int]
+    """The numbers of rows and columns."""
+
+
 class Distances(Base):
     """The functions of a surface for distances and paths."""
 
-    def solver(self, method: str = "auto") -> Solver:
+    def solver(self, method: str = "auto", *, callback: Callback | None = None) -> Solver:
         """Returns a solver for distances from different sources.
 
         Parameters
@@ -68,12 +90,24 @@ class Distances(Base):
             - ``"dijkstra"``: the shortest path along edges
             - ``"heat"``: a smooth approximation; its solver factorizes two matrices
             - ``"auto"``: exact on meshes, unless speeds differ; otherwise euclidean
+        callback
+            A function that takes a fraction. ``"heat"`` calls it with 0 before each factorization.
+            A factorization cannot be interrupted: each takes about half a second for 100,000
+            vertices.
         """
-        return Solver(self, method)
+        return Solver(self, method, callback=callback)
+
+    def border_sources(self) -> list[Polyline]:
+        """Returns the boundary cycles of a mesh, as sources: closed polylines.
+
+        O(m + b log b) for m faces and b edges on the boundary.
+        """
+        cycles = self._mesh("border_sources").border_sources()
+        return [Polyline(faces, barycentric) for faces, barycentric in cycles]
 
     def distance(
         self,
-        sources: ManyLocations,
+        sources: ManySources,
         *,
         method: str = "auto",
         max_distance: float = math.inf,
@@ -89,7 +123,7 @@ class Distances(Base):
         Parameters
         ----------
         sources
-            A location, or a range of them.
+            A location, a ``Polyline``, or a range of them.
         method
             As for ``solver()``.
         max_distance
@@ -125,7 +159,7 @@ class Distances(Base):
         Takes O(n log n) time; ``"exact"`` takes O(n^1.5) time in practice.
         """
         result = _core.output(out, self.number_of_points)
-        solver = self.solver(method)
+        solver = self.solver(method, callback=callback)
         solver.compute(
             sources,
             max_distance=max_distance,
@@ -146,7 +180,10 @@ class Distances(Base):
         return self.paths([(a, b)])[0]
 
     def paths(
-        self, pairs: Iterable[tuple[OneLocation, OneLocation]] | NDArray[np.integer[Any]]
+        self,
+        pairs: Iterable[tuple[OneLocation, OneLocation]] | NDArray[np.integer[Any]],
+        *,
+        callback: Callback | None = None,
     ) -> list[Path | SurfelPath]:
         """Computes a path for each pair of locations.
 
@@ -154,8 +191,10 @@ class Distances(Base):
         ----------
         pairs
             Pairs of locations, or an array of vertices of the shape (k, 2).
+        callback
+            A function that takes the completed fraction.
         """
-        return [self._path(path) for path in self._core.paths(pairs)]
+        return [self._path(path) for path in self._core.paths(pairs, callback)]
 
     def locate(self, points: ArrayLike) -> Locations:
         """Computes the location on the surface that is closest to each point.
@@ -177,40 +216,112 @@ class Distances(Base):
 
     def distance_matrix(
         self,
-        sources: ManyLocations,
+        sources: ManySources | None = None,
         targets: ManyLocations | None = None,
         *,
         max_distance: float = math.inf,
+        regions: ArrayLike | None = None,
+        reduce: str = "min",
+        dtype: DTypeLike = "f8",
+        out: NDArray[Any] | None = None,
         method: str = "auto",
         threads: int | None = None,
         callback: Callback | None = None,
-    ) -> Floats:
+    ) -> NDArray[Any]:
         """Computes the distance from each source to each target.
 
         Parameters
         ----------
         sources
-            A location, or a range of them: the rows.
+            A location, a ``Polyline``, or a range of them: the rows. By default, all vertices.
         targets
             A location, or a range of either vertices or other locations: the columns. By default,
             the sources.
         max_distance
-            Targets farther than this distance are infinitely far.
+            Targets farther than this distance are infinitely far. If most of them are, use
+            ``sparse_distance_matrix()``.
+        regions
+            Shape (n,), integers below n: the region of each vertex, negative if it is in none. If
+            ``sources`` are ``None``, each region has a row. If ``targets`` are ``None``, each
+            region has a column. There are ``max(regions) + 1`` regions. An empty region is
+            infinitely far.
+        reduce
+            ``"min"``: an entry is the smallest distance to, from or between regions. A row is then
+            computed from all vertices of its region at once. ``"mean"``: it is the mean of the
+            distances of all pairs, which is infinite if a pair is not connected.
+        dtype
+            The type of a new array: float64 or float32.
+        out
+            A writable array of float64 or float32 in C order, for example a ``numpy.memmap``, that
+            receives the result.
         method
             As for ``solver()``.
         threads
             The number of threads. By default, that of the hardware. Results do not depend on it.
         callback
-            A function that takes the completed fraction, called before each row. It and Ctrl-C
-            cancel the computation before the next row.
+            A function that takes the completed fraction of the rows. If it or Ctrl-C cancels the
+            computation, some rows of ``out`` are written.
 
         Returns
         -------
-        The distances, shape (k, l), stored by columns.
+        The distances, shape (k, l), in C order: ``out`` if it is given. Rows are written directly to
+        this array. An entry is equal to that of ``distance()``, to the last bit, if neither regions
+        nor approximate methods are used.
+
+        Takes one distance computation for each row; for ``"mean"``, one for each vertex in a region.
         """
+        if reduce not in ("min", "mean"):
+            raise InvalidArgumentError("reduce is neither min nor mean.")
         return self._core.distance_matrix(
-            sources, targets, max_distance, method, threads, callback
+            sources,
+            targets,
+            max_distance,
+            regions,
+            reduce == "mean",
+            dtype,
+            out,
+            method,
+            threads,
+            callback,
         )
+
+    def sparse_distance_matrix(
+        self,
+        max_distance: float,
+        vertices: ManyLocations | None = None,
+        *,
+        method: str = "auto",
+        threads: int | None = None,
+        callback: Callback | None = None,
+    ) -> SparseMatrix:
+        """Computes the distances of all pairs of vertices within ``max_distance``.
+
+        Parameters
+        ----------
+        max_distance
+            The bound of the distances.
+        vertices
+            A vertex, or a range of distinct vertices: the rows and the columns. By default, all
+            vertices.
+        method, threads, callback
+            As for ``distance_matrix()``.
+
+        Returns
+        -------
+        A sparse matrix. It has an entry for each pair within the bound, even if the distance is 0.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If an argument is invalid, or if there are more than 2^31 pairs.
+
+        Takes time and memory proportional to the number of vertices that the fronts visit.
+        """
+        data, indices, indptr = self._core.sparse_distance_matrix(
+            vertices, max_distance, method, threads, callback
+        )
+        size = len(indptr) - 1
+        return SparseMatrix(data, indices, indptr, (size, size))
 
     def _path(self, arrays: _core._PathArrays) -> Path | SurfelPath:
         return SurfelPath(*_checked(arrays)) if self.is_cloud else Path(*_checked(arrays))
@@ -231,13 +342,15 @@ class Solver:
     reached.
     """
 
-    def __init__(self, surface: Distances, method: str = "auto") -> None:
+    def __init__(
+        self, surface: Distances, method: str = "auto", *, callback: Callback | None = None
+    ) -> None:
         self.surface = surface
-        self._core = surface._core.solver(method)
+        self._core = surface._core.solver(method, callback)
 
     def compute(
         self,
-        sources: ManyLocations,
+        sources: ManySources,
         *,
         max_distance: float = math.inf,
         targets: ManyLocations | None = None,

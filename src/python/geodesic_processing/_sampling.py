@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._base import Base
-from ._types import Callback, Floats, Integers, Locations, ManyLocations
+from ._types import Callback, Floats, Integers, Locations, ManyLocations, ManySources
 
 
 class Samples(NamedTuple):
@@ -61,6 +61,7 @@ class Sampling(Base):
         radius: float | None = None,
         *,
         first: ManyLocations | None = None,
+        method: str = "auto",
         speed: ArrayLike | None = None,
         callback: Callback | None = None,
     ) -> Samples:
@@ -74,20 +75,24 @@ class Sampling(Base):
             Sampling stops if each vertex has a sample within this distance.
         first
             Existing samples: a location, or a range of either vertices or other locations.
+        method
+            The front: ``"euclidean"``, which ``"auto"`` selects, ``"fast-marching"`` or
+            ``"dijkstra"``.
         speed
             Shape (n,): samples are denser in regions of low speed.
         callback
             A function that takes the completed fraction.
         """
         indices, coordinates, radii, labels = self._core.farthest_points(
-            n, radius, first, speed, callback
+            n, radius, first, method, speed, callback
         )
         return Samples(Locations(indices, coordinates), radii, labels)
 
     def voronoi(
         self,
-        seeds: ManyLocations,
+        seeds: ManySources,
         *,
+        method: str = "auto",
         speed: ArrayLike | None = None,
         callback: Callback | None = None,
     ) -> Voronoi:
@@ -96,14 +101,16 @@ class Sampling(Base):
         Parameters
         ----------
         seeds
-            A location, or a range of them.
+            A location, a ``Polyline``, or a range of them.
+        method
+            As for ``farthest_points()``.
         speed
             Shape (n,): the speed at the vertices.
         callback
             A function that takes the completed fraction.
         """
         if isinstance(self._core, _core.Cloud):
-            labels = self._core.voronoi(seeds, speed, callback)
+            labels = self._core.voronoi(seeds, method, speed, callback)
             return Voronoi(labels, np.empty(0, np.int64), [])
-        labels, face_labels, lines = self._core.voronoi(seeds, speed, callback)
+        labels, face_labels, lines = self._core.voronoi(seeds, method, speed, callback)
         return Voronoi(labels, face_labels, [Bisector(*line) for line in lines])

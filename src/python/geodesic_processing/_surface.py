@@ -23,6 +23,7 @@ from ._sampling import Sampling
 from ._transport import Transports
 from ._types import Integers
 from ._volumes import Volumes
+from ._types import Callback, Integers
 
 
 class SoupReport(NamedTuple):
@@ -74,6 +75,8 @@ class Surface(
         Points of a mesh within this distance are merged. By default, no points are merged.
     remove_degenerate_faces
         Whether triangles without area are removed.
+    callback
+        A function that is called with 0 between the steps of the construction.
 
     Raises
     ------
@@ -95,17 +98,20 @@ class Surface(
         radii: ArrayLike | None = None,
         merge_tolerance: float | None = None,
         remove_degenerate_faces: bool = False,
+        callback: Callback | None = None,
     ) -> None:
         if F is None:
             if merge_tolerance is not None or remove_degenerate_faces:
                 raise InvalidArgumentError(
                     "merge_tolerance and remove_degenerate_faces need the faces F of a mesh."
                 )
-            self._core = _core.make_cloud(V, normals, radii)
+            self._core = _core.make_cloud(V, normals, radii, callback)
         else:
             if normals is not None or radii is not None:
                 raise InvalidArgumentError("A mesh has faces, but neither normals nor radii.")
-            self._core = _core.make_mesh(V, F, merge_tolerance, bool(remove_degenerate_faces))
+            self._core = _core.make_mesh(
+                V, F, None, merge_tolerance, bool(remove_degenerate_faces), callback
+            )
 
     def __repr__(self) -> str:
         if self.is_cloud:

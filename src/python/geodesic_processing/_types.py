@@ -65,3 +65,14 @@ class Locations(Sequence[Union[Location, SurfelLocation]]):
 
     def __iter__(self) -> Iterator[Location | SurfelLocation]:
         return (self[row] for row in range(len(self)))
+
+
+class Polyline(Locations):
+    """A source along a line. Consecutive locations are in a common face of the mesh, or in a common
+    triangle of the cloud. It is closed if its last location is the first one.
+
+    The indices and coordinates of a ``Path`` or an ``Isoline`` are valid polylines.
+    """
+
+
+ManySources = Union[ManyLocations, Polyline, Iterable[Union[OneLocation, Polyline]]]
