@@ -55,6 +55,50 @@ def test_sources_are_vertices_and_locations(grid, arrays):
     assert np.abs(inside - np.linalg.norm(arrays[0] - point, axis=1)).max() <= ROUND_OFF
 
 
+def test_polyline_is_source(grid, arrays):
+    V = arrays[0]
+    line = gp.Polyline(*vars(grid.locate([[x, 0.25, 0] for x in np.linspace(0, 1, 41)])).values())
+    expected = np.abs(V[:, 1] - 0.25)
+    assert np.abs(grid.distance(line) - expected).max() <= ROUND_OFF
+    expected = np.minimum(expected + 0.1, straight(V, 120))
+    distance = grid.distance([line, 120], offsets=[0.1, 0])
+    assert np.abs(distance - expected).max() <= ROUND_OFF
+    solver = grid.solver().compute([120, line])
+    assert set(solver.labels) == {0, 1}
+    with pytest.raises(gp.InvalidArgumentError, match="common triangle"):
+        grid.distance(gp.Polyline(line.indices[::9], line.coordinates[::9]))
+    for no_source in (gp.Polyline(line.indices[:0], line.coordinates[:0]), [line, [line]]):
+        with pytest.raises(gp.InvalidArgumentError):
+            grid.distance(no_source)
+
+
+def test_path_is_polyline(grid):
+    path = grid.path(0, 60)
+    distance = grid.distance(gp.Polyline(path.faces, path.barycentric))
+    assert np.abs(distance[[0, 12, 24, 60]]).max() <= ROUND_OFF
+
+
+def test_boundary_is_source(grid, arrays):
+    (border,) = grid.border_sources()
+    assert len(border) == 41 and border[0] == border[-1]
+    V = arrays[0][:, :2]
+    to_border = np.minimum(V, 1 - V).min(axis=1)
+    for sources in (border, [border], grid.border_sources()):
+        assert np.abs(grid.distance(sources) - to_border).max() <= ROUND_OFF
+    assert set(grid.voronoi([border, 60]).labels) == {0, 1}
+    V, F = grid_arrays(3)
+    assert len(gp.Surface(np.concatenate([V, V + 2]), np.concatenate([F, F + 9])).border_sources()) == 2
+
+
+def test_polyline_on_cloud(cloud, arrays):
+    # The triangles of surfels in a plane are in this plane: errors are of second order.
+    a, b = cloud.locate([[0.5, 0.5, 0], [0.55, 0.5, 0]])
+    line = gp.Polyline(np.array([a.surfel, b.surfel]), np.array([a.offset, b.offset]))
+    assert np.abs(cloud.distance(line)[60]) <= ROUND_OFF
+    with pytest.raises(gp.UnsupportedSurfaceError):
+        cloud.border_sources()
+
+
 def test_offsets_are_distances_of_sources(grid, arrays):
     V = arrays[0]
     expected = np.minimum(straight(V, 0) + 0.3, straight(V, 120) - 0.1)

@@ -12,6 +12,7 @@ ROOT = Path(__file__).parents[2]
 IN_PYTHON = {
     "bake_atlas": "Surface.bake_atlas",
     "bake_decals": "Surface.bake_decals",
+    "border_sources": "Surface.border_sources",
     "composite_decal": "Surface.composite_decal",
     "earth_movers_distance": "Surface.emd",
     "estimate_surfels": "Surface",
@@ -47,6 +48,7 @@ IN_PYTHON = {
     "shorten_loop": "Surface.shorten_loop",
     "shorten_polyline": "Surface.shorten_polyline",
     "shortest_noncontractible_loop": "Surface.shortest_noncontractible_loop",
+    "sparse_geodesic_distance_matrix": "Surface.sparse_distance_matrix",
     "split_at_isolines": "Surface.split_at_isolines",
     "straightest_geodesic": "Surface.trace",
     "surfel_geodesic_path": "Surface.path",
@@ -56,15 +58,19 @@ IN_PYTHON = {
     "transport_streamlines": "Surface.streamlines",
     "transport_to_region": "Surface.transport_to_region",
     "volumetric_distance": "Surface.volumetric_distance",
+    "write_geodesic_distance_matrix": "Surface.distance_matrix",
+}
+
+WITHOUT_PYTHON = {
+    "merge_distance_matrices": "Parts of a matrix are rows of one numpy.memmap.",
 }
 
 PLANNED = {
-    "border_sources", "curvature_speeds", "decode_wavelets", "face_distortion",
-    "farthest_vertex_sampling", "feature_distance", "fill_holes", "geodesic_base_mesh",
-    "geodesic_centroidal_tessellation", "geodesic_delaunay_remeshing", "geodesic_voronoi_cells",
-    "image_speeds", "merge_distance_matrices", "minimize_distortion", "parameterize_over_base",
-    "principal_curvatures", "semi_regular_remeshing", "similar_curvature_speeds",
-    "sparse_geodesic_distance_matrix", "surface_distortion", "write_geodesic_distance_matrix",
+    "curvature_speeds", "decode_wavelets", "face_distortion", "farthest_vertex_sampling",
+    "feature_distance", "fill_holes", "geodesic_base_mesh", "geodesic_centroidal_tessellation",
+    "geodesic_delaunay_remeshing", "geodesic_voronoi_cells", "image_speeds",
+    "minimize_distortion", "parameterize_over_base", "principal_curvatures",
+    "semi_regular_remeshing", "similar_curvature_speeds", "surface_distortion",
 }
 
 
@@ -94,8 +100,9 @@ def public_functions():
 def test_every_function_is_listed():
     found = public_functions()
     assert len(found) > 60
-    assert not IN_PYTHON.keys() & PLANNED
-    assert found == IN_PYTHON.keys() | PLANNED
+    lists = (IN_PYTHON.keys(), WITHOUT_PYTHON.keys(), PLANNED)
+    assert sum(map(len, lists)) == len(set().union(*lists))
+    assert found == set().union(*lists)
 
 
 def test_listed_names_exist():

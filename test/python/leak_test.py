@@ -3,6 +3,7 @@
 import os
 import sys
 import tracemalloc
+import types
 
 import geodesic_processing as gp
 import numpy as np
@@ -22,11 +23,16 @@ def use_everything(V, F):
         s.log_map(0, 0.2), s.exp_map(0, [[0.1, 0.1]]), s.trace(0, (0.1, 0.1, 0))
         decal = s.decal(99, (0.2, 0.2))
         s.composite_decal(decal, np.zeros((9, 9, 4), np.uint8), np.zeros((len(V), 3), np.uint8))
+        s.distance_matrix([0, 1], locations[:5]), s.sparse_distance_matrix(0.02, [0, 1])
+        s.distance_matrix([0], regions=np.zeros(len(V), int), reduce="mean", dtype="f4")
+        s.farthest_points(2, method="dijkstra"), s.distance(gp.Polyline(*vars(locations).values()))
         for invalid in (lambda: s.distance(-1), lambda: s.distance(0, callback=lambda f: False),
                         lambda: s.distance(0, out=V), lambda: s.locate(V[:, :2])):
             with pytest.raises((ValueError, gp.Cancelled)):
                 invalid()
     surface.isolines(surface.distance(0), [0.5]), surface.report, surface.faces
+    surface.distance(surface.border_sources())
+    gp.as_surface(types.SimpleNamespace(vertices=V, faces=F, convex_hull=None))
 
 
 def resident_bytes():

@@ -50,6 +50,17 @@ def test_path_equals_program(model):
     assert gp.read(model).path(3, 140).length == result["length"]
 
 
+@pytest.mark.parametrize("reduce", ["min", "mean"])
+def test_matrix_of_regions_equals_program(model, tmp_path, reduce):
+    regions = np.arange(144) % 5 - 1
+    file, matrix = tmp_path / "regions.txt", tmp_path / "matrix.npy"
+    np.savetxt(file, regions, "%d")
+    options = ["--average"] if reduce == "mean" else []
+    run("matrix", model, "--regions", file, "--between-regions", *options, "-o", matrix, "--quiet")
+    found = gp.read(model).distance_matrix(regions=regions, reduce=reduce)
+    assert np.array_equal(found, np.load(matrix))
+
+
 def test_labels_equal_program(model, tmp_path):
     values = tmp_path / "values.txt"
     run("voronoi", model, "--number", 5, "--values", values, "--quiet")

@@ -122,3 +122,18 @@ def test_isolines_of_distances_are_circles(grid):
     (line,) = grid.isolines(grid.distance(60), [0.33], fit_circles=True)
     assert line.is_closed and np.array_equal(line.points[0], line.points[-1])
     assert np.abs(np.linalg.norm(line.points - [0.5, 0.5, 0], axis=1) - 0.33).max() <= 1e-13
+
+
+@pytest.mark.parametrize("method", ["euclidean", "fast-marching", "dijkstra"])
+def test_method_of_samples_and_cells(surface, method):
+    first = [0, 115]
+    distances = [surface.distance(v, method=method) for v in first]
+    samples = surface.farthest_points(2, first=first, method=method)
+    # A front with two sources differs from the nearer of two fronts by less than an edge.
+    assert abs(samples.radii[1] - np.minimum(*distances).max()) < 0.1
+    labels = surface.voronoi(first, method=method).labels
+    is_clear = np.abs(distances[0] - distances[1]) > 0.1
+    assert np.array_equal(labels[is_clear], np.argmin(distances, axis=0)[is_clear])
+    if method == "euclidean":
+        assert np.array_equal(labels, surface.voronoi(first).labels)
+        assert np.array_equal(samples.radii, surface.farthest_points(2, first=first).radii)

@@ -159,6 +159,15 @@ class Interrupt:
 # Takes seconds without interrupt, so that signals arrive during the computation.
 ROUGH = rough_arrays(150)
 MANY = np.arange(2000)
+# A single row, path or step takes longer than half a second.
+LARGE = rough_arrays(400)
+
+
+@pytest.fixture(scope="module")
+def large():
+    surface = gp.Surface(*LARGE)
+    surface.locate(LARGE[0][:1])  # builds the search tree, which cannot be interrupted
+    return surface
 
 
 @pytest.mark.parametrize(
@@ -205,6 +214,32 @@ def test_transport_is_interrupted_between_factorizations(call):
             while True:
                 call(surface)
         assert time.monotonic() - interrupt.time < 0.5
+        lambda large: large.distance(0),
+        lambda large: large.distance_matrix([0, 1, 2], threads=1),
+        lambda large: large.distance_matrix([0, 1, 2], threads=2),
+        lambda large: large.distance_matrix(regions=np.zeros(160000, int), reduce="mean"),
+        lambda large: large.sparse_distance_matrix(0.3, threads=2),
+        lambda large: [large.path(0, 159999 - i) for i in range(100)],
+        lambda large: large.isolines(np.arange(160000) % 400, np.linspace(0, 399, 10000)),
+        lambda large: large.locate(np.random.default_rng(3).uniform(0, 1, (2000000, 3))),
+        lambda large: [large.solver("heat") for _ in range(10)],
+        lambda large: gp.Surface(*grid_arrays(2000)),
+        lambda large: gp.Surface(grid_arrays(700)[0]),
+    ],
+    ids=[
+        "distance", "row", "parallel rows", "row of means", "sparse rows", "path", "isolines",
+        "locate", "heat", "mesh", "cloud",
+    ],
+)
+def test_interrupt_ends_a_single_step(large, call):
+    with Interrupt(0.3) as interrupt:
+        with pytest.raises(KeyboardInterrupt):
+            interrupt.start()
+            call(large)
+        assert time.monotonic() - interrupt.time < 0.5
+    expected = np.linalg.norm(LARGE[0][1] - LARGE[0][0])
+    assert large.distance(0, max_distance=0.01)[1] <= expected
+    assert large.path(0, 1).length <= expected
 
 
 def test_waiting_thread_is_interrupted():
