@@ -69,10 +69,10 @@ packages=(g++ cmake ninja-build ccache git lld
   libcgal-dev libboost-dev libeigen3-dev libsuitesparse-dev libopenblas-dev
   libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev libassimp-dev liblemon-dev libpng-dev
   zlib1g-dev liblz4-dev libvtk9-dev xvfb xauth
-  python3-dev pybind11-dev python3-numpy python3-pytest
+  python3-dev pybind11-dev python3-numpy python3-pytest python3-hypothesis python3-meshio mypy
   doxygen texlive-binaries texlive-base libjs-mathjax clang-format-14)
 [ $quick = 1 ] || packages+=(clang-14 libclang-rt-14-dev llvm-14)
-[ $all = 0 ] || packages+=(clang-tidy-14)
+[ $all = 0 ] || packages+=(clang-tidy-14 python3-skbuild python3-venv)
 
 sources() { git ls-files --cached --others --exclude-standard '*.h' '*.cpp'; }
 check_format() { sources | xargs -r clang-format-14 --dry-run -Werror; }
@@ -152,6 +152,15 @@ run_tests()
     ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs"
 }
 
+# Checks the types of the Python package, and that the stubs of the extension match it.
+check_python_types()
+{
+  local options=(--cache-dir=/dev/null --strict)
+  /usr/bin/python3 -m mypy "${options[@]}" src/python/geodesic_processing &&
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PWD/$release/python MYPYPATH=$PWD/$release/python \
+      /usr/bin/python3 -m mypy.stubtest geodesic_processing
+}
+
 # Builds the Python module and tests it with the interpreter of the distribution.
 check_python_module()
 {
@@ -162,7 +171,27 @@ check_python_module()
       GEODESIC_PROCESSING_PROGRAM=$PWD/$release/geodesic \
       /usr/bin/python3 -m pytest --quiet test/python | tee build/python_tests.log &&
     at_least $min_python_tests \
-      "$(sed -n 's/^\([0-9]*\) passed.*/\1/p' build/python_tests.log)" "number of tests"
+      "$(sed -n 's/^\([0-9]*\) passed.*/\1/p' build/python_tests.log)" "number of tests" &&
+    check_python_types
+}
+
+# Installs the Python module by pip: with the installed library, and with one that pip builds.
+check_pip()
+{
+  local environment=$PWD/build/environment prefix
+  for prefix in "$PWD/build/prefix" ""; do
+    rm -rf "$environment" _skbuild
+    /usr/bin/python3 -m venv --system-site-packages "$environment" &&
+      CMAKE_PREFIX_PATH=$prefix CMAKE_BUILD_PARALLEL_LEVEL=$jobs "$environment/bin/pip" install \
+        --no-build-isolation --no-deps --verbose . >build/pip.log 2>&1 ||
+      { tail -n 40 build/pip.log; return 1; }
+    if [ -n "$prefix" ] && ! grep -q "installed in $prefix" build/pip.log; then
+      echo "The installed library is not used."
+      return 1
+    fi
+    (cd build && "$environment/bin/python" -m pytest --quiet -p no:cacheprovider \
+      ../test/python/distance_test.py) || return 1
+  done
 }
 
 check_hostile_files()
@@ -262,6 +291,7 @@ if [ $quick = 0 ] && step "sanitizer build, headers" build_sanitizer; then
   fi
   if [ $all = 1 ]; then
     step "clang-tidy" check_tidy
+    step "pip" check_pip
     [ ! -d "$data" ] || step "all models and methods, sanitized" check_all_models
     step "fuzzing" fuzz
   fi
