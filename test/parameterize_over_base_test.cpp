@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Soup_domain.h>
 #include <CGAL/Geodesic_processing/parameterize_over_base.h>
 
 #include "Mesh_of.h"
@@ -7,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace parameterize_over_base_test {
 
@@ -45,6 +48,21 @@ TEST(parameterize_over_base, accepts_domain)
     EXPECT_EQ(of_domain[v].face, of_mesh[v].face);
     EXPECT_EQ(of_domain[v].barycentric, of_mesh[v].barycentric);
   }
+}
+
+TEST(parameterize_over_base, writes_location_of_merged_points)
+{
+  // A tetrahedron whose first point is repeated.
+  const std::vector<Kernel::Point_3> points = {
+      {0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}, {0., 0., 0.}};
+  const std::vector<std::array<std::size_t, 3>> triangles = {
+      {0, 2, 1}, {4, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  const auto domain = GP::make_domain(points, triangles, GP::parameters::merge_tolerance(0.));
+  std::vector<GP::Base_location> locations(5, {12345, {}});
+  const auto base = GP::parameterize_over_base(domain, 4, CGAL::make_property_map(locations));
+  for(const GP::Base_location& location : locations)
+    ASSERT_LT(location.face, base.number_of_base_faces());
+  EXPECT_EQ(base.point(locations[4]), base.point(locations[0]));
 }
 
 } // namespace parameterize_over_base_test

@@ -106,6 +106,8 @@ public:
   internal::Surface_location inner_vertex(Vertex v) const;
   Location outer(const internal::Surface_location& location) const;
   Point_3 point(const internal::Surface_location& location) const;
+  // Returns the vertices of a soup that were merged with others, in increasing order.
+  const std::vector<Vertex>& merged_vertices() const { return m_data->merged_vertices; }
   internal::Index triangle(Face face) const { return m_data->triangle_of_face[face]; }
   Face face(internal::Index triangle) const { return m_data->faces[triangle]; }
   template <typename SpeedMap>

@@ -36,13 +36,17 @@ parameterize_over_base(const Surface& surface, std::size_t number,
 {
   Base_parameterization<Surface_of<Surface>> result(surface, number, np);
   const auto& domain = result.domain();
-  for(internal::Index i = 0; i < domain.number_of_vertices(); ++i)
+  const auto write = [&](const auto& vertex)
   {
-    const auto vertex = domain.vertex(i);
     if(internal::canonical(*domain.triangles(), domain.inner_vertex(vertex)).triangle !=
        internal::none)
       put(base_location_map, vertex, result(vertex));
-  }
+  };
+  for(internal::Index i = 0; i < domain.number_of_vertices(); ++i)
+    write(domain.vertex(i));
+  if constexpr(!internal::Is_cloud<Surface_of<Surface>>::value)
+    for(const auto vertex : domain.merged_vertices())
+      write(vertex);
   return result;
 }
 
