@@ -20,6 +20,7 @@ void bind_flattening(Cloud_class& cloud);
 void bind_fuzzy(Cloud_class& cloud);
 void bind_maps(Cloud_class& cloud);
 void bind_transport(Cloud_class& cloud);
+void bind_sampling(Cloud_class& cloud);
 
 } // namespace python
 

@@ -5,7 +5,9 @@
 
 #include "python/Surface.h"
 
+#include <array>
 #include <memory>
+#include <vector>
 
 namespace python {
 
@@ -13,7 +15,12 @@ using Mesh_surface = Surface<Mesh_domain>;
 using Mesh_class = py::class_<Mesh_surface, std::shared_ptr<Mesh_surface>>;
 
 // Returns the surface of a mesh without removed elements. Its points and faces keep their order.
+// Polygons are triangulated.
 std::shared_ptr<Mesh_surface> surface_of_mesh(const Mesh& mesh);
+// Returns the surface of these points and triangles.
+std::shared_ptr<Mesh_surface>
+surface_of_triangles(const std::vector<Kernel::Point_3>& points,
+                     const std::vector<std::array<std::size_t, 3>>& triangles);
 
 // Returns the vertices of edges, one row each.
 template <typename Edges>
@@ -38,6 +45,7 @@ void bind_maps(Mesh_class& mesh);
 void bind_measures(Mesh_class& mesh);
 void bind_transport(Mesh_class& mesh);
 void bind_volumes(py::module_& module, Mesh_class& mesh);
+void bind_sampling(Mesh_class& mesh);
 
 } // namespace python
 

@@ -131,11 +131,7 @@ public:
   {
     std::vector<Vertex> vertices;
     use([&] { vertices = m_solver->reached(); });
-    py::array_t<std::int64_t> result(py::ssize_t(vertices.size()));
-    std::int64_t* next = result.mutable_data();
-    for(const Vertex vertex : vertices)
-      *next++ = std::int64_t(std::size_t(vertex));
-    return result;
+    return index_array(vertices);
   }
 
 private:
@@ -179,10 +175,12 @@ bind_surface(py::module_& module, const char* surface_name, const char* solver_n
       .def_property_readonly("number_of_faces", &Surface_type::number_of_faces)
       .def("locate", &Surface_type::locate)
       .def("points", &Surface_type::points)
+      .def("vertices", &Surface_type::vertices)
       .def("paths", &Surface_type::paths)
       .def("distance_matrix", &Surface_type::distance_matrix)
       .def("sparse_distance_matrix", &Surface_type::sparse_distance_matrix)
       .def("farthest_points", &Surface_type::farthest_points)
+      .def("farthest_vertices", &Surface_type::farthest_vertices)
       .def("solver", [](const std::shared_ptr<Surface_type>& self, const py::object& method,
                         const py::object& callback)
            { return std::make_unique<Solver_type>(self, method, callback); });

@@ -45,6 +45,9 @@ Distance_method parse_method(const py::object& name);
 // Returns a number of threads; by default, that of the hardware. Throws Invalid_argument_error if it
 // is not between 1 and 1024.
 unsigned parse_threads(const py::object& threads);
+// Returns a seed of random numbers. Throws Invalid_argument_error if it is not between 0 and
+// 2^32 - 1.
+unsigned parse_seed(const py::object& seed);
 
 // A readable property map of numbers.
 template <typename Key>
@@ -107,6 +110,23 @@ inline py::array_t<double> point_array(const std::vector<Kernel::Point_3>& point
   for(const Kernel::Point_3& p : points)
     for(int k = 0; k < 3; ++k)
       *next++ = p[k];
+  return result;
+}
+
+// Returns a range of numbers.
+inline py::array_t<double> number_array(const std::vector<double>& numbers)
+{
+  return py::array_t<double>(py::ssize_t(numbers.size()), numbers.data());
+}
+
+// Returns a range of vertices, faces, surfels or labels. The largest std::size_t becomes -1.
+template <typename Range>
+py::array_t<std::int64_t> index_array(const Range& range)
+{
+  py::array_t<std::int64_t> result(py::ssize_t(range.size()));
+  std::int64_t* next = result.mutable_data();
+  for(const auto element : range)
+    *next++ = std::int64_t(std::size_t(element));
   return result;
 }
 
@@ -245,11 +265,12 @@ public:
     return result;
   }
 
-  // Reads targets; empty for None.
-  std::vector<Vertex_or_location> targets(const py::object& object) const
+  // Reads targets; empty for None. `name` is that of the argument.
+  std::vector<Vertex_or_location> targets(const py::object& object,
+                                          const std::string& name = "targets") const
   {
     return object.is_none() ? std::vector<Vertex_or_location>()
-                            : vertices_or_locations(object, "targets");
+                            : vertices_or_locations(object, name);
   }
   // Calls f with a vector of vertices, or with one of locations. Throws Invalid_argument_error if
   // there are both. `name` is that of the argument.
@@ -352,11 +373,26 @@ public:
     for(const Vertex_or_location& position : vertices_or_locations(locations, "locations"))
       if(std::holds_alternative<Location>(position))
         result.push_back(m_domain.point(std::get<Location>(position)));
-      else if constexpr(is_cloud)
-        result.push_back(m_domain.point({std::get<Vertex>(position), {0., 0.}}));
       else
-        result.push_back(m_domain.mesh().point(std::get<Vertex>(position)));
+        result.push_back(point(std::get<Vertex>(position)));
     return point_array(result);
+  }
+  // Returns the points of all vertices.
+  py::array_t<double> vertices() const
+  {
+    py::array_t<double> result(Shape{py::ssize_t(m_number_of_points), 3});
+    double* next = result.mutable_data();
+    Computation().run(
+        [&]
+        {
+          for(std::size_t i = 0; i < m_number_of_points; ++i)
+          {
+            const Kernel::Point_3 p = point(vertex(i));
+            for(int k = 0; k < 3; ++k)
+              *next++ = p[k];
+          }
+        });
+    return result;
   }
 
   // Calls f with the path finder, which the first call constructs. No other thread uses it at the
@@ -520,37 +556,27 @@ public:
                             const py::object& first, const py::object& method,
                             const py::object& speed, const py::object& callback) const
   {
-    const auto kind = parse_method(method);
-    std::size_t size = std::numeric_limits<std::size_t>::max();
-    if(!count.is_none())
-      size = index(count, "number of samples", std::size_t(1) << 31);
-    else if(radius.is_none())
-      reject("n or radius is required.");
-    const double covering_radius = radius.is_none() ? 0. : number(radius, "radius");
-    const std::optional<Numbers> speeds = vertex_speeds(speed);
     std::vector<Location> samples;
-    std::vector<double> radii;
-    py::array_t<std::int64_t> labels{Shape{py::ssize_t(m_number_of_points)}};
-    Computation computation(callback);
-    with_targets(targets(first),
-                 [&](const auto& first_samples)
-                 {
-                   const auto np = GP::parameters::method(kind)
-                                       .covering_radius(covering_radius)
-                                       .first_samples(first_samples)
-                                       .covering_radius_output(std::back_inserter(radii))
-                                       .source_label_map(label_map<Vertex>(labels))
-                                       .speed_map(speed_map(speeds))
-                                       .callback(computation.callback());
-                   computation.run(
-                       [&] {
-                         GP::farthest_point_sampling<Runtime_method>(
-                             m_domain, size, std::back_inserter(samples), np);
-                       });
-                 });
+    const auto [radii, labels] = sample(count, radius, first, method, speed, callback,
+                                        [&](std::size_t size, const auto& np) {
+                                          GP::farthest_point_sampling<Runtime_method>(
+                                              m_domain, size, std::back_inserter(samples), np);
+                                        });
     const py::tuple locations = location_arrays(samples);
-    return py::make_tuple(locations[0], locations[1],
-                          py::array_t<double>(py::ssize_t(radii.size()), radii.data()), labels);
+    return py::make_tuple(locations[0], locations[1], radii, labels);
+  }
+  // Returns the same for samples at vertices.
+  py::tuple farthest_vertices(const py::object& count, const py::object& radius,
+                              const py::object& first, const py::object& method,
+                              const py::object& speed, const py::object& callback) const
+  {
+    std::vector<Vertex> samples;
+    const auto [radii, labels] = sample(count, radius, first, method, speed, callback,
+                                        [&](std::size_t size, const auto& np) {
+                                          GP::farthest_vertex_sampling<Runtime_method>(
+                                              m_domain, size, std::back_inserter(samples), np);
+                                        });
+    return py::make_tuple(index_array(samples), radii, labels);
   }
 
   // ---- For solvers
@@ -590,6 +616,48 @@ public:
   }
 
 private:
+  // Reads the arguments of farthest point sampling, and calls f(size, np). Returns the covering
+  // radii and the labels of vertices.
+  template <typename Function>
+  std::pair<py::array_t<double>, py::array_t<std::int64_t>>
+  sample(const py::object& count, const py::object& radius, const py::object& first,
+         const py::object& method, const py::object& speed, const py::object& callback,
+         const Function& f) const
+  {
+    const auto kind = parse_method(method);
+    std::size_t size = std::numeric_limits<std::size_t>::max();
+    if(!count.is_none())
+      size = index(count, "number of samples", std::size_t(1) << 31);
+    else if(radius.is_none())
+      reject("n or radius is required.");
+    const double covering_radius = radius.is_none() ? 0. : number(radius, "radius");
+    const std::optional<Numbers> speeds = vertex_speeds(speed);
+    std::vector<double> radii;
+    py::array_t<std::int64_t> labels{Shape{py::ssize_t(m_number_of_points)}};
+    Computation computation(callback);
+    with_targets(targets(first, "first"),
+                 [&](const auto& first_samples)
+                 {
+                   const auto np = GP::parameters::method(kind)
+                                       .covering_radius(covering_radius)
+                                       .first_samples(first_samples)
+                                       .covering_radius_output(std::back_inserter(radii))
+                                       .source_label_map(label_map<Vertex>(labels))
+                                       .speed_map(speed_map(speeds))
+                                       .callback(computation.callback());
+                   computation.run([&] { f(size, np); });
+                 });
+    return {number_array(radii), labels};
+  }
+
+  Kernel::Point_3 point(Vertex vertex) const
+  {
+    if constexpr(is_cloud)
+      return m_domain.point({vertex, {0., 0.}});
+    else
+      return m_domain.mesh().point(vertex);
+  }
+
   static constexpr const char* element_name = is_cloud ? "surfel" : "face";
 
   // Returns whether an object is a Polyline, a class of Python.

@@ -63,6 +63,11 @@ py::array converted(const py::array& array, const std::string& name)
   reject(name + " is not an array of numbers.");
 }
 
+std::size_t row_size_of(const py::array& array)
+{
+  return array.ndim() > 1 ? std::size_t(array.shape(1)) : 1;
+}
+
 std::ptrdiff_t step_of(const py::array& array) { return array.ndim() > 1 ? array.strides(1) : 0; }
 
 } // namespace
@@ -87,6 +92,7 @@ Numbers::Numbers(const py::handle& object, const std::string& name, const Shape&
   }
   m_data = static_cast<const char*>(m_array.data());
   m_size = std::size_t(m_array.shape(0));
+  m_row_size = row_size_of(m_array);
   m_stride = m_array.strides(0);
   m_step = step_of(m_array);
 }
@@ -109,7 +115,7 @@ Integers::Integers(const py::handle& object, const std::string& name, const Shap
   }
   m_data = static_cast<const char*>(m_array.data());
   m_size = std::size_t(m_array.shape(0));
-  m_row_size = m_array.ndim() > 1 ? std::size_t(m_array.shape(1)) : 1;
+  m_row_size = row_size_of(m_array);
   m_stride = m_array.strides(0);
   m_step = step_of(m_array);
 }
@@ -217,6 +223,12 @@ bool is_row(const py::handle& object)
     if(!PyNumber_Check(item.ptr()) || py::isinstance<py::array>(item))
       return false;
   return true;
+}
+
+bool is_flat(const py::handle& object)
+{
+  return py::isinstance<py::array>(object) ? py::reinterpret_borrow<py::array>(object).ndim() == 1
+                                           : is_row(object);
 }
 
 std::size_t checked_index(std::int64_t value, const std::string& name, std::size_t size)

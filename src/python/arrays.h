@@ -8,7 +8,9 @@
 
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace python {
@@ -32,6 +34,7 @@ public:
   Numbers(const py::handle& object, const std::string& name, const Shape& shape);
 
   std::size_t size() const { return m_size; }
+  std::size_t row_size() const { return m_row_size; }
   double operator()(std::size_t i, std::size_t j = 0) const
   {
     const char* const address = m_data + std::ptrdiff_t(i) * m_stride + std::ptrdiff_t(j) * m_step;
@@ -50,7 +53,7 @@ private:
 
   py::array m_array;
   const char* m_data;
-  std::size_t m_size;
+  std::size_t m_size, m_row_size;
   std::ptrdiff_t m_stride, m_step;
   bool m_is_double;
 };
@@ -99,6 +102,30 @@ py::array matrix_output(const py::object& out, const Shape& shape, const py::obj
 // Returns a new array of float64, or `out` if it is not None. Throws Invalid_argument_error if `out`
 // is not a writable array of float64 with this shape.
 py::array_t<double> output(const py::object& out, const Shape& shape);
+
+// Returns whether the object is an array with one dimension, or a list or tuple of numbers.
+bool is_flat(const py::handle& object);
+
+// Returns the value of a word. Throws Invalid_argument_error if the object is none of the words.
+// `name` is that of the argument.
+template <typename Value>
+Value choice(const py::handle& object, const std::string& name,
+             std::initializer_list<std::pair<const char*, Value>> values)
+{
+  std::string words;
+  std::size_t position = 0;
+  for(const auto& [word, value] : values)
+  {
+    if(py::isinstance<py::str>(object) && object.cast<std::string>() == word)
+      return value;
+    words += (position == 0                  ? ""
+              : position + 1 < values.size() ? ", "
+                                             : " or ") +
+             std::string(word);
+    ++position;
+  }
+  reject(name + " is not " + words + ".");
+}
 
 // Returns a number. Throws Invalid_argument_error if the object is not a number.
 double number(const py::handle& object, const std::string& name);

@@ -138,6 +138,7 @@ void bind_cloud(py::module_& module)
   bind_fuzzy(cloud);
   bind_maps(cloud);
   bind_transport(cloud);
+  bind_sampling(cloud);
   module.def("make_cloud", &cloud_of_arrays);
 }
 

@@ -179,15 +179,20 @@ py::tuple voronoi(const Mesh_surface& surface, const py::object& seeds, const py
 
 std::shared_ptr<Mesh_surface> surface_of_mesh(const Mesh& mesh)
 {
-  const auto point_of = [&](std::size_t i) -> Kernel::Point_3
-  { return mesh.point(Mesh::Vertex_index(Mesh::size_type(i))); };
+  const auto point_of = [&](std::size_t i) { return mesh.point(Mesh::Vertex_index(i)); };
   const auto polygon_of = [&](std::size_t f)
-  {
-    const auto h = mesh.halfedge(Mesh::Face_index(Mesh::size_type(f)));
-    return std::array<std::size_t, 3>{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
-  };
+  { return mesh.vertices_around_face(mesh.halfedge(Mesh::Face_index(f))); };
   return make_surface(mesh.number_of_vertices(), point_of, mesh.number_of_faces(), polygon_of,
                       std::nullopt, false, nullptr);
+}
+
+std::shared_ptr<Mesh_surface>
+surface_of_triangles(const std::vector<Kernel::Point_3>& points,
+                     const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  return make_surface(
+      points.size(), [&](std::size_t i) { return points[i]; }, triangles.size(),
+      [&](std::size_t f) { return triangles[f]; }, std::nullopt, false, nullptr);
 }
 
 py::object mesh_of_file(const program::Surface_file& file)
@@ -227,6 +232,7 @@ void bind_mesh(py::module_& module)
   bind_measures(mesh);
   bind_transport(mesh);
   bind_volumes(module, mesh);
+  bind_sampling(mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

@@ -14,18 +14,13 @@ namespace python {
 
 Distance_method parse_method(const py::object& name)
 {
-  static const std::pair<const char*, Distance_method> methods[] = {
-      {"auto", Distance_method::automatic},
-      {"exact", Distance_method::exact},
-      {"euclidean", Distance_method::euclidean_front},
-      {"fast-marching", Distance_method::fast_marching},
-      {"dijkstra", Distance_method::dijkstra},
-      {"heat", Distance_method::heat}};
-  if(py::isinstance<py::str>(name))
-    for(const auto& [text, method] : methods)
-      if(name.cast<std::string>() == text)
-        return method;
-  reject("method is not auto, exact, euclidean, fast-marching, dijkstra or heat.");
+  return choice<Distance_method>(name, "method",
+                                 {{"auto", Distance_method::automatic},
+                                  {"exact", Distance_method::exact},
+                                  {"euclidean", Distance_method::euclidean_front},
+                                  {"fast-marching", Distance_method::fast_marching},
+                                  {"dijkstra", Distance_method::dijkstra},
+                                  {"heat", Distance_method::heat}});
 }
 
 unsigned parse_threads(const py::object& threads)
@@ -36,6 +31,11 @@ unsigned parse_threads(const py::object& threads)
   if(result == 0)
     reject("The number of threads is zero.");
   return unsigned(result);
+}
+
+unsigned parse_seed(const py::object& seed)
+{
+  return unsigned(index(seed, "seed", std::size_t(1) << 32));
 }
 
 py::object read_surface(const std::string& path)

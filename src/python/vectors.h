@@ -66,17 +66,6 @@ py::array_t<double> uv_array(const Surface<Domain>& surface)
   return py::array_t<double>(Shape{py::ssize_t(surface.number_of_points()), 2});
 }
 
-// Returns integers, one for each element of a range.
-template <typename Range>
-py::array_t<std::int64_t> index_array(const Range& range)
-{
-  py::array_t<std::int64_t> result(py::ssize_t(range.size()));
-  std::int64_t* next = result.mutable_data();
-  for(const auto& element : range)
-    *next++ = std::int64_t(std::size_t(element));
-  return result;
-}
-
 // Reads a vector in space. Throws Invalid_argument_error if a component is not finite.
 inline Kernel::Vector_3 vector(const py::object& object, const std::string& name)
 {

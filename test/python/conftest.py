@@ -64,6 +64,64 @@ def cube_arrays():
 def points_of(V, F, faces, barycentric):
     """Returns the points with barycentric coordinates in faces."""
     return np.einsum("ij,ijk->ik", barycentric, V[F[faces]])
+def refined_arrays(V, F):
+    """Returns the uniform 1-to-4 refinement of a mesh. Vertices of the mesh come first."""
+    edges = np.sort(F[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    edges, position = np.unique(edges, axis=0, return_inverse=True)
+    a, b, c = F.T
+    ab, bc, ca = len(V) + position.reshape(-1, 3).T
+    parts = [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+    return np.concatenate([V, V[edges].mean(axis=1)]), np.concatenate(parts, axis=1).T
+
+
+def sphere_arrays(levels):
+    """Returns a refined octahedron with vertices on the unit sphere; 4^(levels + 1) + 2 vertices."""
+    V = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], float)
+    F = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4],
+                  [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
+    for _ in range(levels):
+        V, F = refined_arrays(V, F)
+        V = V / np.linalg.norm(V, axis=1)[:, None]
+    return V, F
+
+
+def torus_arrays(n, m, radius=1.0, tube=0.4):
+    """Returns a torus of n x m vertices around the z axis."""
+    i, j = np.meshgrid(np.arange(n), np.arange(m), indexing="ij")
+    a, b = 2 * np.pi * i.ravel() / n, 2 * np.pi * j.ravel() / m
+    r = radius + tube * np.cos(b)
+    V = np.stack([r * np.cos(a), r * np.sin(a), tube * np.sin(b)], axis=1)
+    corner = lambda di, dj: ((i + di) % n * m + (j + dj) % m).ravel()
+    p, q, r, s = corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)
+    return V, np.concatenate([np.stack([p, q, r], 1), np.stack([p, r, s], 1)])
+
+
+def cube_arrays(levels):
+    """Returns a refined cube with edges of length 1."""
+    V = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    F = np.array([t for a, b, c, d in quads for t in ([a, b, c], [a, c, d])])
+    for _ in range(levels):
+        V, F = refined_arrays(V, F)
+    return V, F
+
+
+def face_areas(surface):
+    """Returns the areas of the faces of a surface."""
+    a, b, c = np.moveaxis(surface.vertices[surface.faces], 1, 0)
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
+def points_at(surface, locations):
+    """Returns the points of locations on a mesh by their barycentric coordinates."""
+    corners = surface.vertices[surface.faces[locations.indices]]
+    return np.einsum("ij,ijk->ik", locations.coordinates, corners)
+
+
+def topology(surface):
+    """Returns the numbers of components and boundary cycles, and the genus."""
+    report = surface.report
+    return report.number_of_components, report.number_of_boundary_cycles, report.genus
 
 
 @pytest.fixture

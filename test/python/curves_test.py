@@ -30,7 +30,7 @@ def test_split_mesh_is_subdivision(grid, arrays):
     V, F = arrays
     levels = [0.77, 0.25]
     split = grid.split_at_isolines(V[:, 0], levels)
-    points = split.surface.points()
+    points = split.surface.vertices
     faces = split.surface.faces
     assert np.abs(points[: len(V)] - V).max() <= ROUND_OFF
     assert np.abs(split_points(grid, split, V) - points).max() <= ROUND_OFF
@@ -56,7 +56,7 @@ def test_faces_with_infinite_values_are_not_split(grid, arrays):
     values = arrays[0][:, 0].copy()
     values[values > 0.55] = math.inf
     split = grid.split_at_isolines(values, [0.25])
-    points = split.surface.points()
+    points = split.surface.vertices
     is_infinite = points[split.surface.faces][:, :, 0].max(axis=1) > 0.55
     assert np.array_equal(split.labels == -1, is_infinite)
 

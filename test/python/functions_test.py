@@ -18,12 +18,14 @@ IN_PYTHON = {
     "estimate_surfels": "Surface",
     "exponential_map": "Surface.exp_map",
     "farthest_point_sampling": "Surface.farthest_points",
+    "farthest_vertex_sampling": "Surface.farthest_vertices",
     "flattening_distortion": "Surface.flattening_distortion",
     "fuzzy_geodesic": "Surface.fuzzy_geodesic",
     "fuzzy_geodesic_by_distances": "Surface.fuzzy_geodesic_by_distances",
     "geodesic_ball": "Surface.ball",
     "geodesic_barycenter": "Surface.geodesic_barycenter",
     "geodesic_bezier_curve": "Surface.bezier_curve",
+    "geodesic_centroidal_tessellation": "Surface.segment",
     "geodesic_diameter": "Surface.diameter",
     "geodesic_distance_derivatives": "Surface.distance_derivatives",
     "geodesic_distance_matrix": "Surface.distance_matrix",
@@ -35,6 +37,7 @@ IN_PYTHON = {
     "geodesic_polyline": "Surface.polyline",
     "geodesic_radius": "Surface.radius",
     "geodesic_spline": "Surface.spline",
+    "geodesic_voronoi_cells": "Surface.voronoi_cells",
     "geodesic_voronoi_diagram": "Surface.voronoi",
     "hodge_decomposition": "Surface.hodge_decomposition",
     "isolines": "Surface.isolines",
@@ -66,11 +69,10 @@ WITHOUT_PYTHON = {
 }
 
 PLANNED = {
-    "curvature_speeds", "decode_wavelets", "face_distortion", "farthest_vertex_sampling",
-    "feature_distance", "fill_holes", "geodesic_base_mesh", "geodesic_centroidal_tessellation",
-    "geodesic_delaunay_remeshing", "geodesic_voronoi_cells", "image_speeds",
-    "minimize_distortion", "parameterize_over_base", "principal_curvatures",
-    "semi_regular_remeshing", "similar_curvature_speeds", "surface_distortion",
+    "curvature_speeds", "decode_wavelets", "face_distortion", "feature_distance", "fill_holes",
+    "geodesic_base_mesh", "geodesic_delaunay_remeshing", "image_speeds", "minimize_distortion",
+    "parameterize_over_base", "principal_curvatures", "semi_regular_remeshing",
+    "similar_curvature_speeds", "surface_distortion",
 }
 
 

@@ -186,3 +186,8 @@ def test_volumetric_distance_equals_program(tmp_path):
     result = result_of("volume", cube, "--from", "0.2,0.3,0.4", "--to", "1.5,0.5,0.5")
     cost = gp.read(cube).volumetric_distance([0.2, 0.3, 0.4], [1.5, 0.5, 0.5]).cost
     assert (cost.lower, cost.upper) == (result["lower"], result["upper"])
+def test_segments_equal_program(model, tmp_path):
+    values = tmp_path / "values.txt"
+    run("segment", model, "--number", 5, "--values", values, "--quiet")
+    labels = gp.read(model).segment(5, disks=False).labels
+    assert np.array_equal(labels, np.loadtxt(values))

@@ -1,12 +1,13 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Distance matrices, samples, Voronoi diagrams and isolines."""
+"""Distance matrices, samples, Voronoi diagrams, segments and isolines."""
 
 import math
 
 import geodesic_processing as gp
 import numpy as np
 import pytest
+from conftest import face_areas, sphere_arrays, topology
 
 ROUND_OFF = 1e-14  # as in distance_test.py
 
@@ -137,3 +138,115 @@ def test_method_of_samples_and_cells(surface, method):
     if method == "euclidean":
         assert np.array_equal(labels, surface.voronoi(first).labels)
         assert np.array_equal(samples.radii, surface.farthest_points(2, first=first).radii)
+
+
+def test_vertices_are_points_of_vertices(surface, arrays):
+    assert np.array_equal(surface.vertices, arrays[0])
+    surface.vertices[0] = 7.0  # a copy
+    assert np.array_equal(surface.vertices, arrays[0])
+
+
+def test_vertex_samples_are_farthest_vertices(surface):
+    samples = surface.farthest_vertices(7)
+    assert samples.vertices.dtype == np.int64 and len(set(samples.vertices)) == 7
+    assert samples.vertices[0] in (0, 10, 110, 120)  # a corner of the square
+    for k in range(1, 7):
+        distance = surface.distance(samples.vertices[:k], method="euclidean")
+        # The front of all samples is updated incrementally: equal up to round-off errors.
+        assert abs(distance[samples.vertices[k]] - distance.max()) <= 1e-12
+        assert abs(samples.radii[k - 1] - distance.max()) <= 1e-12
+    assert set(samples.labels) == set(range(7))
+
+
+def test_vertex_samples_continue(surface):
+    complete = surface.farthest_vertices(6)
+    rest = surface.farthest_vertices(3, first=complete.vertices[:3])
+    assert np.array_equal(rest.vertices, complete.vertices[3:])
+    assert np.array_equal(rest.labels, complete.labels)
+
+
+def test_cells_of_square_are_rectangles(grid):
+    seeds = [2 * 11 + 5, 7 * 11 + 5]  # at (0.2, 0.5) and (0.7, 0.5)
+    cells = grid.voronoi_cells(seeds)
+    x = cells.surface.vertices[cells.surface.faces][:, :, 0]
+    # Bisectors are exact in the plane.
+    assert x[cells.face_labels == 0].max() <= 0.45 + 1e-12
+    assert x[cells.face_labels == 1].min() >= 0.45 - 1e-12
+    areas = np.bincount(cells.face_labels, face_areas(cells.surface))
+    assert np.abs(areas - [0.45, 0.55]).max() <= 1e-12
+    assert topology(cells.surface) == (1, 1, 0)
+
+
+def test_cells_end_at_maximum_distance(grid):
+    cells = grid.voronoi_cells([0], max_distance=0.35)
+    corners = cells.surface.vertices[cells.surface.faces]
+    is_reached = (np.linalg.norm(corners, axis=2) <= 0.35).all(axis=1)
+    assert np.array_equal(cells.face_labels, np.where(is_reached, 0, -1))
+
+
+@pytest.mark.parametrize("disks", [False, True])
+def test_segments_of_mesh_are_connected(grid, arrays, disks):
+    segments = grid.segment(5, disks=disks)
+    number = len(segments.centers)
+    assert number >= 5 if disks else number == 5
+    assert set(segments.labels) == set(range(number))
+    assert (np.diff(segments.energies[:-1]) <= 0).all()
+    for label in range(number):
+        patch = gp.Surface(arrays[0], arrays[1][segments.labels == label])
+        components, boundaries, genus = topology(patch)
+        assert components == 1
+        assert not disks or (boundaries, genus) == (1, 0)
+
+
+def test_segments_are_balanced():
+    sphere = gp.Surface(*sphere_arrays(4))
+    segments = sphere.segment(6, disks=False)
+    areas = np.bincount(segments.labels, face_areas(sphere))
+    # Six equal cells are a minimum of the energy. The cells are unions of 2,048 faces, and the
+    # iteration stops at a change of a thousandth: 0.8 and 1.2 leave room for a local minimum.
+    assert (areas > 0.8 * areas.mean()).all() and (areas < 1.2 * areas.mean()).all()
+    assert segments.energies[-1] < segments.energies[0]
+
+
+def test_segments_do_not_depend_on_threads(surface):
+    one, two = surface.segment(5, threads=1), surface.segment(5, threads=2)
+    assert np.array_equal(one.labels, two.labels)
+    assert np.array_equal(one.energies, two.energies)
+
+
+def test_segments_of_cloud_have_centers(cloud):
+    segments = cloud.segment(4)
+    assert len(segments.labels) == 121 and len(segments.centers) == 4
+    assert set(segments.labels) == {0, 1, 2, 3}
+
+
+def test_segment_without_steps_is_voronoi_diagram(cloud):
+    segments = cloud.segment(6, max_iterations=0)
+    assert len(segments.energies) == 1
+    assert np.array_equal(segments.labels, cloud.farthest_points(6).labels)
+
+
+def test_samples_and_segments_reject(grid, cloud):
+    for function in (
+        lambda: grid.segment(0), lambda: grid.segment(-1), lambda: grid.segment(2.5),
+        lambda: grid.segment(3, seed=-1), lambda: grid.segment(3, max_iterations=None),
+        lambda: grid.segment(3, threads=0), lambda: grid.segment(3, speed=np.ones(3)),
+        lambda: grid.farthest_vertices(), lambda: grid.farthest_vertices(radius=-1),
+        lambda: grid.farthest_vertices(3, first=[500]), lambda: grid.voronoi_cells([]),
+        lambda: grid.voronoi_cells(0, max_distance=math.nan),
+    ):
+        with pytest.raises(gp.InvalidArgumentError, match=r"\.$"):
+            function()
+    with pytest.raises(gp.UnsupportedSurfaceError, match="mesh"):
+        cloud.voronoi_cells(0)
+
+
+def test_callbacks_cancel_sampling(surface):
+    stop = lambda fraction: False
+    with pytest.raises(gp.Cancelled):
+        surface.farthest_vertices(5, callback=stop)
+    with pytest.raises(gp.Cancelled):
+        surface.segment(5, callback=stop)
+    if not surface.is_cloud:
+        with pytest.raises(gp.Cancelled):
+            surface.voronoi_cells([0, 60], callback=stop)

@@ -34,7 +34,7 @@ from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
 from ._fuzzy import FuzzyGeodesic
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
 from ._measures import Ball, Diameter, DistanceDerivatives, Eccentricity, Radius
-from ._sampling import Bisector, Samples, Voronoi
+from ._sampling import Bisector, Samples, Segments, VertexSamples, Voronoi, VoronoiCells
 from ._surface import SoupReport, Surface, read
 from ._transport import (
     GeodesicBarycenter,
@@ -83,6 +83,7 @@ __all__ = [
     "Radius",
     "RegionTransport",
     "Samples",
+    "Segments",
     "Solver",
     "SoupReport",
     "SparseMatrix",
@@ -97,10 +98,12 @@ __all__ = [
     "TransportBarycenter",
     "TransportCost",
     "UnsupportedSurfaceError",
+    "VertexSamples",
     "VolumetricDistances",
     "VolumetricMetric",
     "VolumetricPath",
     "Voronoi",
+    "VoronoiCells",
     "as_surface",
     "mass_density",
     "read",

@@ -4,9 +4,13 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from ._core import Cloud, Mesh, UnsupportedSurfaceError
+from ._types import Floats
+
+if TYPE_CHECKING:
+    from ._surface import Surface
 
 _Surface = TypeVar("_Surface", bound="Base")
 
@@ -36,6 +40,16 @@ class Base:
     def number_of_faces(self) -> int:
         """The number of triangles; 0 for a cloud."""
         return self._core.number_of_faces
+
+    @property
+    def vertices(self) -> Floats:
+        """The points of the vertices of a mesh or of the surfels of a cloud, a new array of the
+        shape (n, 3)."""
+        return self._core.vertices()
+
+    def _new(self, core: Mesh | Cloud) -> Surface:
+        """Returns a surface of the extension as one of the module."""
+        raise NotImplementedError
 
     def _mesh(self, name: str) -> Mesh:
         if isinstance(self._core, Cloud):

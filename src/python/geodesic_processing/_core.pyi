@@ -17,6 +17,7 @@ _PathArrays = tuple[_Floats, _Integers, _Floats, float, float, float]
 _LoopArrays = tuple[_Floats, _Integers, _Floats, float]
 _Cost = tuple[float, float, float, float, float, int, float, bool]
 _IsolineArrays = tuple[float, bool, _Floats, _Integers, _Floats, float]
+_LocationArrays = tuple[_Integers, _Floats]
 
 class InvalidArgumentError(ValueError): ...
 class UnsupportedSurfaceError(ValueError): ...
@@ -53,6 +54,7 @@ class _Surface:
     def locate(self, points: Any, /) -> tuple[_Integers, _Floats]: ...
     def points(self, locations: Any, /) -> _Floats: ...
     def paths(self, pairs: Any, callback: Any, /) -> list[_PathArrays]: ...
+    def vertices(self) -> _Floats: ...
     def distance_matrix(
         self,
         sources: Any,
@@ -202,6 +204,20 @@ class _Surface:
         callback: Any,
         /,
     ) -> list[tuple[_PathArrays, bool]]: ...
+    def farthest_vertices(
+        self, n: Any, radius: Any, first: Any, method: Any, speed: Any, callback: Any, /
+    ) -> tuple[_Integers, _Floats, _Integers]: ...
+    def segment(
+        self,
+        n: Any,
+        disks: bool,
+        max_iterations: Any,
+        seed: Any,
+        speed: Any,
+        threads: Any,
+        callback: Any,
+        /,
+    ) -> tuple[_Integers, _Integers, _Floats, _Floats]: ...
 
 class Mesh(_Surface):
     def solver(self, method: Any, callback: Any, /) -> Mesh_solver: ...
@@ -211,6 +227,9 @@ class Mesh(_Surface):
     def voronoi(
         self, seeds: Any, method: Any, speed: Any, callback: Any, /
     ) -> tuple[_Integers, _Integers, list[tuple[int, int, _Floats, _Integers, _Floats]]]: ...
+    def voronoi_cells(
+        self, seeds: Any, max_distance: Any, speed: Any, callback: Any, /
+    ) -> tuple[Mesh, _Integers]: ...
     def isolines(
         self, values: Any, levels: Any, fit_circles: bool, callback: Any, /
     ) -> list[_IsolineArrays]: ...

@@ -123,8 +123,7 @@ class Curves(Distances):
         """
         mesh = self._mesh("split_at_isolines")
         core, labels, locations, edges = mesh.split_at_isolines(values, levels, bool(fit_circles))
-        surface: Surface = type(self)._of(core)  # type: ignore[assignment]
-        return SplitMesh(surface, labels, Locations(*locations), edges)
+        return SplitMesh(self._new(core), labels, Locations(*locations), edges)
 
     def polyline(self, points: ManyLocations, *, close: bool = False) -> PolylinePath:
         """Computes the shortest path that passes through points in a given order.

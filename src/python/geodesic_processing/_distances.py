@@ -208,10 +208,8 @@ class Distances(Base):
         """
         return Locations(*self._core.locate(points))
 
-    def points(self, locations: ManyLocations | None = None) -> Floats:
-        """Returns the points of locations, shape (k, 3); by default, of all vertices."""
-        if locations is None:
-            locations = np.arange(self.number_of_points)
+    def points(self, locations: ManyLocations) -> Floats:
+        """Returns the points of locations, shape (k, 3)."""
         return self._core.points(locations)
 
     def distance_matrix(

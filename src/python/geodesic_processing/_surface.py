@@ -113,6 +113,9 @@ class Surface(
                 V, F, None, merge_tolerance, bool(remove_degenerate_faces), callback
             )
 
+    def _new(self, core: _core.Mesh | _core.Cloud) -> Surface:
+        return self._of(core)
+
     def __repr__(self) -> str:
         if self.is_cloud:
             return f"<geodesic_processing.Surface: {self.number_of_points} surfels>"
