@@ -21,6 +21,8 @@ void bind_fuzzy(Cloud_class& cloud);
 void bind_maps(Cloud_class& cloud);
 void bind_transport(Cloud_class& cloud);
 void bind_sampling(Cloud_class& cloud);
+void bind_remeshing(Cloud_class& cloud);
+void bind_base_meshes(py::module_& module, Cloud_class& cloud);
 
 } // namespace python
 

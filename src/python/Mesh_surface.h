@@ -46,6 +46,8 @@ void bind_measures(Mesh_class& mesh);
 void bind_transport(Mesh_class& mesh);
 void bind_volumes(py::module_& module, Mesh_class& mesh);
 void bind_sampling(Mesh_class& mesh);
+void bind_remeshing(Mesh_class& mesh);
+void bind_base_meshes(py::module_& module, Mesh_class& mesh);
 
 } // namespace python
 

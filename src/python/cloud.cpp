@@ -139,6 +139,8 @@ void bind_cloud(py::module_& module)
   bind_maps(cloud);
   bind_transport(cloud);
   bind_sampling(cloud);
+  bind_remeshing(cloud);
+  bind_base_meshes(module, cloud);
   module.def("make_cloud", &cloud_of_arrays);
 }
 

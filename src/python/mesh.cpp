@@ -233,6 +233,8 @@ void bind_mesh(py::module_& module)
   bind_transport(mesh);
   bind_volumes(module, mesh);
   bind_sampling(mesh);
+  bind_remeshing(mesh);
+  bind_base_meshes(module, mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

@@ -19,13 +19,16 @@ IN_PYTHON = {
     "exponential_map": "Surface.exp_map",
     "farthest_point_sampling": "Surface.farthest_points",
     "farthest_vertex_sampling": "Surface.farthest_vertices",
+    "fill_holes": "Surface.fill_holes",
     "flattening_distortion": "Surface.flattening_distortion",
     "fuzzy_geodesic": "Surface.fuzzy_geodesic",
     "fuzzy_geodesic_by_distances": "Surface.fuzzy_geodesic_by_distances",
     "geodesic_ball": "Surface.ball",
     "geodesic_barycenter": "Surface.geodesic_barycenter",
+    "geodesic_base_mesh": "Surface.base_mesh",
     "geodesic_bezier_curve": "Surface.bezier_curve",
     "geodesic_centroidal_tessellation": "Surface.segment",
+    "geodesic_delaunay_remeshing": "Surface.remesh",
     "geodesic_diameter": "Surface.diameter",
     "geodesic_distance_derivatives": "Surface.distance_derivatives",
     "geodesic_distance_matrix": "Surface.distance_matrix",
@@ -48,6 +51,8 @@ IN_PYTHON = {
     "make_domain": "Surface",
     "mass_density": "mass_density",
     "mean_value_coordinates": "Surface.mean_value_coordinates",
+    "parameterize_over_base": "Surface.parameterize_over_base",
+    "semi_regular_remeshing": "Surface.semi_regular",
     "shorten_loop": "Surface.shorten_loop",
     "shorten_polyline": "Surface.shorten_polyline",
     "shortest_noncontractible_loop": "Surface.shortest_noncontractible_loop",
@@ -69,10 +74,9 @@ WITHOUT_PYTHON = {
 }
 
 PLANNED = {
-    "curvature_speeds", "decode_wavelets", "face_distortion", "feature_distance", "fill_holes",
-    "geodesic_base_mesh", "geodesic_delaunay_remeshing", "image_speeds", "minimize_distortion",
-    "parameterize_over_base", "principal_curvatures", "semi_regular_remeshing",
-    "similar_curvature_speeds", "surface_distortion",
+    "curvature_speeds", "decode_wavelets", "face_distortion", "feature_distance",
+    "image_speeds", "minimize_distortion", "principal_curvatures", "similar_curvature_speeds",
+    "surface_distortion",
 }
 
 

@@ -191,3 +191,36 @@ def test_segments_equal_program(model, tmp_path):
     run("segment", model, "--number", 5, "--values", values, "--quiet")
     labels = gp.read(model).segment(5, disks=False).labels
     assert np.array_equal(labels, np.loadtxt(values))
+
+
+def check_mesh(path, surface):
+    expected = gp.read(path)
+    assert np.array_equal(surface.vertices, expected.vertices)
+    assert np.array_equal(surface.faces, expected.faces)
+
+
+def test_remeshing_equals_program(model, tmp_path):
+    out = tmp_path / "out.off"
+    run("remesh", model, "--number", 40, "--lloyd", 3, "--fit", "--seed", 7, "-o", out, "--quiet")
+    check_mesh(out, gp.read(model).remesh(40, relaxation_steps=3, fit=True, seed=7).surface)
+    run("remesh", model, "--number", 40, "--speed", "curvature-attractive", "-o", out, "--quiet")
+    surface = gp.read(model)
+    check_mesh(out, surface.remesh(40, speed=surface.curvature_speeds()).surface)
+
+
+def test_base_mesh_equals_program(model, tmp_path):
+    out, values = tmp_path / "out.off", tmp_path / "values.txt"
+    run("base", model, "--number", 8, "-o", out, "--values", values, "--quiet")
+    surface = gp.read(model)
+    base = surface.parameterize_over_base(8)
+    check_mesh(out, base.surface)
+    check_mesh(out, surface.base_mesh(8).surface)
+    lines = np.loadtxt(values)
+    assert np.array_equal(base.vertex_locations.indices, lines[:, 0])
+    assert np.array_equal(base.vertex_locations.coordinates, lines[:, 1:])
+
+
+def test_semi_regular_mesh_equals_program(model, tmp_path):
+    out = tmp_path / "out.off"
+    run("semiregular", model, "--number", 8, "--levels", 2, "-o", out, "--quiet")
+    check_mesh(out, gp.read(model).semi_regular(8, 2).surface)

@@ -34,6 +34,13 @@ from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
 from ._fuzzy import FuzzyGeodesic
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
 from ._measures import Ball, Diameter, DistanceDerivatives, Eccentricity, Radius
+from ._remeshing import (
+    BaseMesh,
+    BaseParameterization,
+    HoleFilling,
+    RemeshedSurface,
+    SemiRegularMesh,
+)
 from ._sampling import Bisector, Samples, Segments, VertexSamples, Voronoi, VoronoiCells
 from ._surface import SoupReport, Surface, read
 from ._transport import (
@@ -55,6 +62,8 @@ __all__ = [
     "Atlas",
     "Ball",
     "BaseFlattening",
+    "BaseMesh",
+    "BaseParameterization",
     "Bisector",
     "Cancelled",
     "Decal",
@@ -69,6 +78,7 @@ __all__ = [
     "FuzzyGeodesic",
     "GeodesicBarycenter",
     "HodgeDecomposition",
+    "HoleFilling",
     "InvalidArgumentError",
     "Isoline",
     "KarcherMean",
@@ -82,8 +92,10 @@ __all__ = [
     "PolylinePath",
     "Radius",
     "RegionTransport",
+    "RemeshedSurface",
     "Samples",
     "Segments",
+    "SemiRegularMesh",
     "Solver",
     "SoupReport",
     "SparseMatrix",

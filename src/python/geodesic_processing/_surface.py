@@ -19,6 +19,7 @@ from ._flattening import Flattenings
 from ._fuzzy import FuzzyGeodesics
 from ._maps import Maps
 from ._measures import Measures
+from ._remeshing import Remeshing
 from ._sampling import Sampling
 from ._transport import Transports
 from ._types import Integers
@@ -55,6 +56,7 @@ class Surface(
     FuzzyGeodesics,
     Volumes,
 ):
+class Surface(Remeshing, Sampling, Curves):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
     Parameters
