@@ -235,6 +235,7 @@ void bind_mesh(py::module_& module)
   bind_sampling(mesh);
   bind_remeshing(mesh);
   bind_base_meshes(module, mesh);
+  bind_wavelets(module, mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

@@ -14,6 +14,7 @@ IN_PYTHON = {
     "bake_decals": "Surface.bake_decals",
     "border_sources": "Surface.border_sources",
     "composite_decal": "Surface.composite_decal",
+    "decode_wavelets": "decode_wavelets",
     "earth_movers_distance": "Surface.emd",
     "estimate_surfels": "Surface",
     "exponential_map": "Surface.exp_map",
@@ -74,8 +75,8 @@ WITHOUT_PYTHON = {
 }
 
 PLANNED = {
-    "curvature_speeds", "decode_wavelets", "face_distortion", "feature_distance",
-    "image_speeds", "minimize_distortion", "principal_curvatures", "similar_curvature_speeds",
+    "curvature_speeds", "face_distortion", "feature_distance", "image_speeds",
+    "minimize_distortion", "principal_curvatures", "similar_curvature_speeds",
     "surface_distortion",
 }
 

@@ -57,6 +57,7 @@ from ._transport import (
 )
 from ._types import Location, Locations, Polyline, SurfelLocation
 from ._volumes import VolumetricDistances, VolumetricMetric, VolumetricPath
+from ._wavelets import DecodedWavelets, SubdivisionWavelet, WaveletDetails, decode_wavelets
 
 __all__ = [
     "Atlas",
@@ -68,6 +69,7 @@ __all__ = [
     "Cancelled",
     "Decal",
     "DecalTexture",
+    "DecodedWavelets",
     "Diameter",
     "DistanceDerivatives",
     "Eccentricity",
@@ -102,6 +104,7 @@ __all__ = [
     "SplitMesh",
     "StraightestGeodesic",
     "Streamline",
+    "SubdivisionWavelet",
     "Surface",
     "SurfelHodgeDecomposition",
     "SurfelLocation",
@@ -116,7 +119,9 @@ __all__ = [
     "VolumetricPath",
     "Voronoi",
     "VoronoiCells",
+    "WaveletDetails",
     "as_surface",
+    "decode_wavelets",
     "mass_density",
     "read",
 ]
