@@ -49,6 +49,7 @@ void bind_sampling(Mesh_class& mesh);
 void bind_remeshing(Mesh_class& mesh);
 void bind_base_meshes(py::module_& module, Mesh_class& mesh);
 void bind_wavelets(py::module_& module, Mesh_class& mesh);
+void bind_curvature(Mesh_class& mesh);
 
 } // namespace python
 

@@ -141,6 +141,7 @@ void bind_cloud(py::module_& module)
   bind_sampling(cloud);
   bind_remeshing(cloud);
   bind_base_meshes(module, cloud);
+  bind_curvature(cloud);
   module.def("make_cloud", &cloud_of_arrays);
 }
 

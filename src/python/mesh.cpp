@@ -236,6 +236,7 @@ void bind_mesh(py::module_& module)
   bind_remeshing(mesh);
   bind_base_meshes(module, mesh);
   bind_wavelets(module, mesh);
+  bind_curvature(mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

@@ -14,6 +14,7 @@ IN_PYTHON = {
     "bake_decals": "Surface.bake_decals",
     "border_sources": "Surface.border_sources",
     "composite_decal": "Surface.composite_decal",
+    "curvature_speeds": "Surface.curvature_speeds",
     "decode_wavelets": "decode_wavelets",
     "earth_movers_distance": "Surface.emd",
     "estimate_surfels": "Surface",
@@ -44,6 +45,7 @@ IN_PYTHON = {
     "geodesic_voronoi_cells": "Surface.voronoi_cells",
     "geodesic_voronoi_diagram": "Surface.voronoi",
     "hodge_decomposition": "Surface.hodge_decomposition",
+    "image_speeds": "Surface.image_speeds",
     "isolines": "Surface.isolines",
     "karcher_mean": "Surface.karcher_mean",
     "locate_on_surface": "Surface.locate",
@@ -53,10 +55,12 @@ IN_PYTHON = {
     "mass_density": "mass_density",
     "mean_value_coordinates": "Surface.mean_value_coordinates",
     "parameterize_over_base": "Surface.parameterize_over_base",
+    "principal_curvatures": "Surface.principal_curvatures",
     "semi_regular_remeshing": "Surface.semi_regular",
     "shorten_loop": "Surface.shorten_loop",
     "shorten_polyline": "Surface.shorten_polyline",
     "shortest_noncontractible_loop": "Surface.shortest_noncontractible_loop",
+    "similar_curvature_speeds": "Surface.similar_curvature_speeds",
     "sparse_geodesic_distance_matrix": "Surface.sparse_distance_matrix",
     "split_at_isolines": "Surface.split_at_isolines",
     "straightest_geodesic": "Surface.trace",
@@ -75,9 +79,7 @@ WITHOUT_PYTHON = {
 }
 
 PLANNED = {
-    "curvature_speeds", "face_distortion", "feature_distance", "image_speeds",
-    "minimize_distortion", "principal_curvatures", "similar_curvature_speeds",
-    "surface_distortion",
+    "face_distortion", "feature_distance", "minimize_distortion", "surface_distortion",
 }
 
 

@@ -27,6 +27,7 @@ Conventions
 from ._atlas import Atlas
 from ._convert import as_surface
 from ._core import Cancelled, FileError, InvalidArgumentError, UnsupportedSurfaceError
+from ._curvature import PrincipalCurvatures
 from ._curves import Isoline, Loop, PolylinePath, SplitMesh
 from ._decals import Decal, DecalTexture
 from ._distances import Path, Solver, SparseMatrix, SurfelPath
@@ -92,6 +93,7 @@ __all__ = [
     "Path",
     "Polyline",
     "PolylinePath",
+    "PrincipalCurvatures",
     "Radius",
     "RegionTransport",
     "RemeshedSurface",

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._atlas import Atlases
 from ._core import InvalidArgumentError
+from ._curvature import Curvature
 from ._curves import Curves
 from ._decals import Decals
 from ._distances import Distances
@@ -57,6 +58,7 @@ class Surface(
     Volumes,
 ):
 class Surface(Remeshing, Sampling, Curves):
+class Surface(Remeshing, Sampling, Curves, Curvature):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
     Parameters
