@@ -50,6 +50,7 @@ void bind_remeshing(Mesh_class& mesh);
 void bind_base_meshes(py::module_& module, Mesh_class& mesh);
 void bind_wavelets(py::module_& module, Mesh_class& mesh);
 void bind_curvature(Mesh_class& mesh);
+void bind_distortion(Mesh_class& mesh);
 
 } // namespace python
 

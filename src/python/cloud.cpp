@@ -142,6 +142,7 @@ void bind_cloud(py::module_& module)
   bind_remeshing(cloud);
   bind_base_meshes(module, cloud);
   bind_curvature(cloud);
+  bind_distortion(cloud);
   module.def("make_cloud", &cloud_of_arrays);
 }
 

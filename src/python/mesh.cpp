@@ -237,6 +237,7 @@ void bind_mesh(py::module_& module)
   bind_base_meshes(module, mesh);
   bind_wavelets(module, mesh);
   bind_curvature(mesh);
+  bind_distortion(mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

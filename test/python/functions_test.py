@@ -19,6 +19,7 @@ IN_PYTHON = {
     "earth_movers_distance": "Surface.emd",
     "estimate_surfels": "Surface",
     "exponential_map": "Surface.exp_map",
+    "face_distortion": "Surface.face_distortion",
     "farthest_point_sampling": "Surface.farthest_points",
     "farthest_vertex_sampling": "Surface.farthest_vertices",
     "fill_holes": "Surface.fill_holes",
@@ -54,6 +55,7 @@ IN_PYTHON = {
     "make_domain": "Surface",
     "mass_density": "mass_density",
     "mean_value_coordinates": "Surface.mean_value_coordinates",
+    "minimize_distortion": "Surface.minimize_distortion",
     "parameterize_over_base": "Surface.parameterize_over_base",
     "principal_curvatures": "Surface.principal_curvatures",
     "semi_regular_remeshing": "Surface.semi_regular",
@@ -64,6 +66,7 @@ IN_PYTHON = {
     "sparse_geodesic_distance_matrix": "Surface.sparse_distance_matrix",
     "split_at_isolines": "Surface.split_at_isolines",
     "straightest_geodesic": "Surface.trace",
+    "surface_distortion": "Surface.surface_distortion",
     "surfel_geodesic_path": "Surface.path",
     "surfel_geodesic_paths": "Surface.paths",
     "texture_atlas": "Surface.atlas",
@@ -79,7 +82,7 @@ WITHOUT_PYTHON = {
 }
 
 PLANNED = {
-    "face_distortion", "feature_distance", "minimize_distortion", "surface_distortion",
+    "feature_distance",
 }
 
 

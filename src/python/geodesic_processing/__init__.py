@@ -31,6 +31,7 @@ from ._curvature import PrincipalCurvatures
 from ._curves import Isoline, Loop, PolylinePath, SplitMesh
 from ._decals import Decal, DecalTexture
 from ._distances import Path, Solver, SparseMatrix, SurfelPath
+from ._distortion import DistortionMinimum, FaceDistortion, SurfaceDistortion
 from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
 from ._fuzzy import FuzzyGeodesic
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
@@ -73,7 +74,9 @@ __all__ = [
     "DecodedWavelets",
     "Diameter",
     "DistanceDerivatives",
+    "DistortionMinimum",
     "Eccentricity",
+    "FaceDistortion",
     "FileError",
     "Flattening",
     "FlatteningDistortion",
@@ -108,6 +111,7 @@ __all__ = [
     "Streamline",
     "SubdivisionWavelet",
     "Surface",
+    "SurfaceDistortion",
     "SurfelHodgeDecomposition",
     "SurfelLocation",
     "SurfelPath",
