@@ -25,6 +25,7 @@ void bind_remeshing(Cloud_class& cloud);
 void bind_base_meshes(py::module_& module, Cloud_class& cloud);
 void bind_curvature(Cloud_class& cloud);
 void bind_distortion(Cloud_class& cloud);
+void bind_features(Cloud_class& cloud);
 
 } // namespace python
 

@@ -51,6 +51,7 @@ void bind_base_meshes(py::module_& module, Mesh_class& mesh);
 void bind_wavelets(py::module_& module, Mesh_class& mesh);
 void bind_curvature(Mesh_class& mesh);
 void bind_distortion(Mesh_class& mesh);
+void bind_features(Mesh_class& mesh);
 
 } // namespace python
 

@@ -143,6 +143,7 @@ void bind_cloud(py::module_& module)
   bind_base_meshes(module, cloud);
   bind_curvature(cloud);
   bind_distortion(cloud);
+  bind_features(cloud);
   module.def("make_cloud", &cloud_of_arrays);
 }
 

@@ -238,6 +238,7 @@ void bind_mesh(py::module_& module)
   bind_wavelets(module, mesh);
   bind_curvature(mesh);
   bind_distortion(mesh);
+  bind_features(mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

@@ -22,6 +22,7 @@ IN_PYTHON = {
     "face_distortion": "Surface.face_distortion",
     "farthest_point_sampling": "Surface.farthest_points",
     "farthest_vertex_sampling": "Surface.farthest_vertices",
+    "feature_distance": "Surface.feature_distance",
     "fill_holes": "Surface.fill_holes",
     "flattening_distortion": "Surface.flattening_distortion",
     "fuzzy_geodesic": "Surface.fuzzy_geodesic",
@@ -81,9 +82,7 @@ WITHOUT_PYTHON = {
     "merge_distance_matrices": "Parts of a matrix are rows of one numpy.memmap.",
 }
 
-PLANNED = {
-    "feature_distance",
-}
+PLANNED = set()
 
 
 def public_functions():

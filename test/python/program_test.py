@@ -224,3 +224,10 @@ def test_semi_regular_mesh_equals_program(model, tmp_path):
     out = tmp_path / "out.off"
     run("semiregular", model, "--number", 8, "--levels", 2, "-o", out, "--quiet")
     check_mesh(out, gp.read(model).semi_regular(8, 2).surface)
+
+
+def test_feature_distance_equals_program(model, tmp_path):
+    values = tmp_path / "values.txt"
+    run("feature-distance", model, "--feature", "3,77", "--values", values, "--quiet")
+    distances = gp.read(model).feature_distance([3, 77]).distances
+    assert np.array_equal(distances, np.loadtxt(values))

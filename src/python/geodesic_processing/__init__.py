@@ -32,6 +32,7 @@ from ._curves import Isoline, Loop, PolylinePath, SplitMesh
 from ._decals import Decal, DecalTexture
 from ._distances import Path, Solver, SparseMatrix, SurfelPath
 from ._distortion import DistortionMinimum, FaceDistortion, SurfaceDistortion
+from ._features import FeatureDistance
 from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
 from ._fuzzy import FuzzyGeodesic
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic
@@ -77,6 +78,7 @@ __all__ = [
     "DistortionMinimum",
     "Eccentricity",
     "FaceDistortion",
+    "FeatureDistance",
     "FileError",
     "Flattening",
     "FlatteningDistortion",

@@ -253,6 +253,16 @@ class _Surface:
     def surface_distortion(
         self, uv: Any, has_corners: bool, measure: Any, /
     ) -> tuple[float, float, float, float, _LocationArrays, int, int]: ...
+    def feature_distance(
+        self,
+        feature: Any,
+        fix_masses: bool,
+        speed: Any,
+        refinements: Any,
+        tolerance: Any,
+        callback: Any,
+        /,
+    ) -> tuple[_Floats, float, float, float, float, int, float, bool]: ...
 
 class Mesh(_Surface):
     def solver(self, method: Any, callback: Any, /) -> Mesh_solver: ...

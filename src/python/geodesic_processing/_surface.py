@@ -21,6 +21,7 @@ from ._fuzzy import FuzzyGeodesics
 from ._maps import Maps
 from ._measures import Measures
 from ._distortion import Distortion
+from ._features import Features
 from ._remeshing import Remeshing
 from ._sampling import Sampling
 from ._transport import Transports
@@ -61,6 +62,7 @@ class Surface(
 class Surface(Remeshing, Sampling, Curves):
 class Surface(Remeshing, Sampling, Curves, Curvature):
 class Surface(Remeshing, Sampling, Curves, Curvature, Distortion):
+class Surface(Remeshing, Sampling, Curves, Curvature, Distortion, Features):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
     Parameters
