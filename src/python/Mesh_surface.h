@@ -37,21 +37,21 @@ py::array_t<std::int64_t> edge_array(const Mesh& mesh, const Edges& edges)
 // Each adds the functions of a topic. Their files are compiled separately, because each of them
 // instantiates many templates.
 void bind_atlas(Mesh_class& mesh);
+void bind_base_meshes(py::module_& module, Mesh_class& mesh);
+void bind_curvature(Mesh_class& mesh);
 void bind_curves(Mesh_class& mesh);
 void bind_decals(Mesh_class& mesh);
+void bind_distortion(Mesh_class& mesh);
+void bind_features(Mesh_class& mesh);
 void bind_flattening(Mesh_class& mesh);
 void bind_fuzzy(Mesh_class& mesh);
 void bind_maps(Mesh_class& mesh);
 void bind_measures(Mesh_class& mesh);
+void bind_remeshing(Mesh_class& mesh);
+void bind_sampling(Mesh_class& mesh);
 void bind_transport(Mesh_class& mesh);
 void bind_volumes(py::module_& module, Mesh_class& mesh);
-void bind_sampling(Mesh_class& mesh);
-void bind_remeshing(Mesh_class& mesh);
-void bind_base_meshes(py::module_& module, Mesh_class& mesh);
 void bind_wavelets(py::module_& module, Mesh_class& mesh);
-void bind_curvature(Mesh_class& mesh);
-void bind_distortion(Mesh_class& mesh);
-void bind_features(Mesh_class& mesh);
 
 } // namespace python
 

@@ -132,18 +132,18 @@ void bind_cloud(py::module_& module)
   Cloud_class cloud = bind_surface<Cloud_domain>(module, "Cloud", "Cloud_solver");
   cloud.def("voronoi", &voronoi);
   bind_atlas(cloud);
+  bind_base_meshes(module, cloud);
+  bind_curvature(cloud);
   bind_curves(cloud);
   bind_decals(cloud);
+  bind_distortion(cloud);
+  bind_features(cloud);
   bind_flattening(cloud);
   bind_fuzzy(cloud);
   bind_maps(cloud);
-  bind_transport(cloud);
-  bind_sampling(cloud);
   bind_remeshing(cloud);
-  bind_base_meshes(module, cloud);
-  bind_curvature(cloud);
-  bind_distortion(cloud);
-  bind_features(cloud);
+  bind_sampling(cloud);
+  bind_transport(cloud);
   module.def("make_cloud", &cloud_of_arrays);
 }
 

@@ -218,27 +218,26 @@ py::object mesh_of_file(const program::Surface_file& file)
 void bind_mesh(py::module_& module)
 {
   Mesh_class mesh = bind_surface<Mesh_domain>(module, "Mesh", "Mesh_solver");
-  mesh.def("faces", &faces).def("report", &report).def("voronoi", &voronoi);
-  bind_atlas(mesh);
   mesh.def("faces", &faces)
       .def("report", &report)
       .def("border_sources", &border_sources)
       .def("voronoi", &voronoi);
+  bind_atlas(mesh);
+  bind_base_meshes(module, mesh);
+  bind_curvature(mesh);
   bind_curves(mesh);
   bind_decals(mesh);
+  bind_distortion(mesh);
+  bind_features(mesh);
   bind_flattening(mesh);
   bind_fuzzy(mesh);
   bind_maps(mesh);
   bind_measures(mesh);
+  bind_remeshing(mesh);
+  bind_sampling(mesh);
   bind_transport(mesh);
   bind_volumes(module, mesh);
-  bind_sampling(mesh);
-  bind_remeshing(mesh);
-  bind_base_meshes(module, mesh);
   bind_wavelets(module, mesh);
-  bind_curvature(mesh);
-  bind_distortion(mesh);
-  bind_features(mesh);
   module.def("make_mesh", &mesh_of_arrays);
 }
 

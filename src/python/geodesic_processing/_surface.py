@@ -50,19 +50,19 @@ class Surface(
     Curves,
     Measures,
     Transports,
+    Remeshing,
     Distances,
     Sampling,
     Maps,
     Flattenings,
+    Distortion,
     Atlases,
     Decals,
     FuzzyGeodesics,
+    Curvature,
+    Features,
     Volumes,
 ):
-class Surface(Remeshing, Sampling, Curves):
-class Surface(Remeshing, Sampling, Curves, Curvature):
-class Surface(Remeshing, Sampling, Curves, Curvature, Distortion):
-class Surface(Remeshing, Sampling, Curves, Curvature, Distortion, Features):
     """A triangle mesh or a surfel cloud, prepared for any number of queries. It is immutable.
 
     Parameters
