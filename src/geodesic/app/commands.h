@@ -41,6 +41,7 @@ void add_feature_distance(CLI::App& program);
 void add_fuzzy(CLI::App& program);
 void add_streamlines(CLI::App& program);
 void add_volume(CLI::App& program);
+void add_view(CLI::App& program);
 
 } // namespace program
 

@@ -70,6 +70,7 @@ constexpr Named_command commands[] = {
     {"fuzzy", add_fuzzy},
     {"streamlines", add_streamlines},
     {"volume", add_volume},
+    {"view", add_view},
 };
 
 // Adds the command of this name, or all commands if none has it (for help and error messages). Most

@@ -142,6 +142,7 @@ std::optional<double> to_number(std::string_view word)
 {
   if(word.size() > 1 && word[0] == '+' && word[1] != '-')
     word.remove_prefix(1);
+#ifdef __cpp_lib_to_chars
   double value = 0.;
   const char* const end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
@@ -151,6 +152,16 @@ std::optional<double> to_number(std::string_view word)
   if(error == std::errc::result_out_of_range)
     value = std::strtod(std::string(word).c_str(), nullptr);
   return value;
+#else
+  // Some standard libraries lack std::from_chars for floating-point numbers. std::strtod also
+  // accepts hexadecimal numbers, spaces and a positive sign.
+  const std::string text(word);
+  if(text.empty() || text[0] == '+' || text.find_first_of("xX \t\n\v\f\r") != std::string::npos)
+    return std::nullopt;
+  char* stop = nullptr;
+  const double value = std::strtod(text.c_str(), &stop);
+  return stop == text.c_str() + text.size() ? std::optional<double>(value) : std::nullopt;
+#endif
 }
 
 std::optional<long long> to_integer(std::string_view word)
