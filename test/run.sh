@@ -28,7 +28,7 @@ summary=() failures=0 started=$SECONDS
 
 # The numbers of checks may grow and never fall; a step fails if it finds fewer.
 min_tests=2193 min_sanitized_tests=2179 min_headers=76 min_hostile_runs=3870 min_mass_runs=226
-min_python_tests=269
+min_python_tests=269 min_viewer_tests=40
 
 # step NAME COMMAND...: runs the command and adds its result and its seconds to the summary.
 step()
@@ -73,6 +73,9 @@ packages=(g++ cmake ninja-build ccache git lld
   doxygen texlive-binaries texlive-base libjs-mathjax clang-format-14)
 [ $quick = 1 ] || packages+=(clang-14 libclang-rt-14-dev llvm-14)
 [ $all = 0 ] || packages+=(clang-tidy-14 python3-skbuild python3-venv)
+# The viewer's packages take a gigabyte, so they are installed only for continuous integration.
+# Debian's npm conflicts with other distributions of Node.js, so only the command is required.
+[ -z "${CI:-}" ] || packages+=(emscripten chromium)
 
 sources() { git ls-files --cached --others --exclude-standard '*.h' '*.cpp'; }
 check_format() { sources | xargs -r clang-format-14 --dry-run -Werror; }
@@ -194,6 +197,27 @@ check_pip()
   done
 }
 
+# Prints the commands that the viewer needs and that are missing.
+missing_viewer_commands()
+{
+  local name
+  for name in emcmake node npm chromium; do
+    command -v $name >/dev/null || printf '%s ' $name
+  done
+}
+
+# Builds the page of the viewer and tests it in the browser.
+check_viewer()
+{
+  cmake -S . -B $release -DGEODESIC_PROCESSING_VIEWER=ON >build/viewer.log ||
+    { cat build/viewer.log; return 1; }
+  cmake --build $release -j "$jobs" --target viewer &&
+    GEODESIC_VIEWER=$PWD/$release/viewer GEODESIC_PROCESSING_PROGRAM=$PWD/$release/geodesic \
+      GEODESIC_PROCESSING_DATA=$data node --test --test-reporter=spec test/view |
+    tee build/viewer_tests.log &&
+    at_least $min_viewer_tests "$(sed -n 's/^ℹ pass //p' build/viewer_tests.log)" "number of tests"
+}
+
 check_hostile_files()
 {
   bash test/hostile.sh $sanitizer/test/run_commands "$jobs" "$@" | tee build/hostile.log &&
@@ -241,7 +265,7 @@ check_tidy()
 {
   CXX=clang++-14 cmake -S . -B build/tidy -G Ninja -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
     -DGEODESIC_PROCESSING_PICTURES=OFF >build/tidy.log || { cat build/tidy.log; return 1; }
-  git ls-files 'src/*.cpp' ':!src/geodesic' ':!src/python' |
+  git ls-files 'src/*.cpp' ':!src/geodesic' ':!src/python' ':!src/view' |
     xargs -n 4 -P "$jobs" clang-tidy-14 -p build/tidy --quiet
 }
 
@@ -272,6 +296,11 @@ step "format" check_format
 if step "build, manual" build_release; then
   step "tests" run_tests $release $min_tests
   step "python" check_python_module
+  if [ -z "${CI:-}" ] && [ -n "$(missing_viewer_commands)" ]; then
+    skip "viewer" "these commands are missing: $(missing_viewer_commands)"
+  else
+    step "viewer" check_viewer
+  fi
   step "installed package" check_installed_package
   if [ -d "$data/parts" ]; then
     step "mass test" check_many_meshes

@@ -101,8 +101,9 @@ export class Viewer {
     return this.engines.slow;
   }
 
-  setImage(image) {
+  setImage(image, name) {
     this.image = image;
+    this.imageName = name;
     if (this.state.tool === 'decal') this.update();
     else this.change((state) => { state.tool = 'decal'; });
   }

@@ -208,7 +208,7 @@ function connectFiles(viewer) {
   const open = (files) => run(viewer, async () => {
     if (files.length === 0) return;
     if (files.length === 1 && isImage(files[0])) {
-      viewer.setImage(decalImage(await readImage(files[0])));
+      viewer.setImage(decalImage(await readImage(files[0])), files[0].name);
       return;
     }
     const read = await readFiles(files);

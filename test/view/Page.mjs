@@ -55,7 +55,7 @@ export function native(command, model, options, values = false) {
 // Writes the page of a model by the program. Returns its file.
 export function page(model) {
   const file = model + '.html';
-  native('view', model, ['--page', join(viewerFolder, 'viewer.html'), '-o', file]);
+  native('view', model, ['-o', file]);
   return file;
 }
 
@@ -114,14 +114,15 @@ export class Page {
     }, vertex);
   }
 
-  // Returns vertices whose pixels are visible, spread over the surface.
+  // Returns vertices whose pixels are visible and not close to a silhouette, spread over the surface.
   visibleVertices(count) {
     return this.run((count) => {
       const {scene} = geodesicViewer, size = scene.points.length / 3, result = [];
+      const isFacing = ({normal}) => normal.angleTo(scene.camera.position) < 0.9;
       for (let i = 0; i < size && result.length < count; ++i) {
         const vertex = (i * 997) % size, {x, y} = scene.project(scene.position(vertex));
         const element = document.elementFromPoint(x, y), hit = scene.pick(x, y);
-        if (element === scene.canvas && hit &&
+        if (element === scene.canvas && hit && isFacing(hit) &&
             hit.point.distanceTo(scene.position(vertex)) < 0.02) result.push(vertex);
       }
       return result;
@@ -156,7 +157,7 @@ export class Page {
       dispatchEvent(new DragEvent('drop', {dataTransfer: transfer, cancelable: true}));
     }, {name, bytes: Array.from(typeof bytes === 'string' ? Buffer.from(bytes) : bytes), type});
     await this.tab.waitForFunction((name) => !document.getElementById('message').hidden ||
-      geodesicViewer.title === name || geodesicViewer.imageName === name, name);
+      geodesicViewer.title === name || geodesicViewer.imageName === name, name.replace(/\.gz$/, ''));
     await this.settle();
   }
 

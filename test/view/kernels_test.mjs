@@ -43,8 +43,11 @@ test('orientation_is_exact_on_40000_nearly_degenerate_triangles', async () => {
   const random = generator(7), coordinates = [], expected = [];
   const ulps = () => (Math.floor(5 * random()) - 2) * 2 ** -53;
   for (let i = 0; i < 40000; ++i) {
-    // The third point is on the line through the others, up to some units in the last place.
-    const [ax, ay, bx, by, t] = Array.from({length: 5}, random);
+    // The third point is on the line through the others, up to some units in the last place. Every
+    // other triangle has coordinates of few bits, so that many of these are exactly collinear.
+    const bits = i % 2 ? 2 ** 32 : 2 ** 10;
+    const [ax, ay, bx, by, t] =
+      Array.from({length: 5}, () => Math.floor(bits * random()) / bits);
     const triangle = [ax, ay, bx, by, ax + t * (bx - ax) + ulps(), ay + t * (by - ay) + ulps()];
     coordinates.push(...triangle);
     expected.push(exactOrientation(triangle));
@@ -52,7 +55,7 @@ test('orientation_is_exact_on_40000_nearly_degenerate_triangles', async () => {
   const {signs} = await pages.mesh.ask('orientations', coordinates);
   assert.equal(signs.length, 40000);
   assert.equal(signs.filter((sign, i) => sign !== expected[i]).length, 0);
-  for (const sign of [-1, 0, 1]) assert.ok(expected.filter((other) => other === sign).length > 1000);
+  for (const sign of [-1, 0, 1]) assert.ok(expected.filter((other) => other === sign).length > 500);
 });
 
 // The heat method solves linear systems by another library than the native program. Its factorization

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace program {
@@ -29,9 +30,13 @@ using CGAL::Geodesic_processing::internal::unit_frame;
 
 constexpr unsigned number_of_neighbors = 16;
 
-// Returns the unit vector, or zero if v is zero or not finite. Avoids overflow and underflow.
+// Returns the unit vector, or zero if v is zero or not finite. Avoids overflow and underflow. A unit
+// vector, up to round-off errors of its normalization, is returned as it is: the results of a cloud
+// do not change if it is written with its normals and read again.
 Point unit(Point v)
 {
+  if(std::abs(dot(v, v) - 1.) <= 4. * std::numeric_limits<double>::epsilon())
+    return v;
   double size = 0.;
   for(const double x : v)
   {
@@ -43,7 +48,7 @@ Point unit(Point v)
     return {0., 0., 0.};
   for(double& x : v)
     x /= size;
-  const double length = std::hypot(v[0], v[1], v[2]);
+  const double length = norm(v);
   for(double& x : v)
     x /= length;
   return v;
