@@ -142,6 +142,7 @@ cat >"$this_part.html" <<'HTML'
 body { font-family: sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em; color: #222; }
 main { display: grid; grid-template-columns: repeat(auto-fill, minmax(24em, 1fr)); gap: 2em; }
 figure { margin: 0; } img { width: 100%; }
+iframe { width: 100%; height: 32em; border: 1px solid #ddd; border-radius: 6px; }
 code, pre { background: #f2f2f2; padding: 0.2em 0.4em; display: block; white-space: pre-wrap; }
 </style></head><body>
 <h1>Geodesic_processing: a tour</h1>
@@ -224,6 +225,34 @@ program()
     touch "$this_part.failed"
     printf '%s FAILED: %s\n' "$name" "$output" >&2
   fi
+}
+
+# Adds interactive viewers of ten surfaces to the page, if the page of the viewer was built.
+add_viewers()
+{
+  local viewer model name
+  next_part
+  echo '</main>' >"$this_part.html"
+  for viewer in $build/viewer/viewer.html build/release/viewer/viewer.html; do
+    [ ! -s $viewer ] || break
+  done
+  [ -s $viewer ] || { echo "The viewers are missing, because the target viewer was not built."; return; }
+  echo '<h2>Interactive viewers</h2><p>Click on a surface to compute distances.</p><main>' \
+    >>"$this_part.html"
+  for model in "$animal" "$bunny" "$bear" "$part" "$holes" "$runner" "$beast" "$mask" "$knot" "$scan"; do
+    next_part
+    name=$(basename "${model%.*}")
+    if "$build/geodesic" view "$model" --page $viewer --quiet -o "$gallery/view-$name.html" \
+      2>"$this_part.errors"; then
+      printf '<figure><iframe src="view-%s.html" loading="lazy" title="%s"></iframe><figcaption><p><a href="view-%s.html">%s</a></p><code>geodesic %s</code></figcaption></figure>\n' \
+        "$name" "$name" "$name" "$name" "$(shown view "$model" -o "$name.html")" >"$this_part.html"
+    else
+      touch "$this_part.failed"
+      cat "$this_part.errors" >&2
+    fi
+  done
+  next_part
+  echo '</main>' >"$this_part.html"
 }
 
 echo "Computing pictures"
@@ -513,13 +542,15 @@ cp doc/fig/rate_distortion.svg $gallery &&
   printf '<figure><img src="rate_distortion.svg" alt=""><figcaption><p>%s</p></figcaption></figure>\n' \
     "Rate-distortion curve: error relative to the bounding box diagonal over bits per vertex" >"$this_part.html"
 wait_for_pictures 0
-{ cat "$parts"/*.html && echo '</main></body></html>'; } >$page
+seconds=$((SECONDS - started))
+add_viewers
+{ cat "$parts"/*.html && echo '</body></html>'; } >$page
 failures=$(find "$parts" -name '*.failed' | wc -l)
 
 echo
 if [ "$failures" -ne 0 ]; then
-  echo "$failures pictures or programs failed after $((SECONDS - started)) s; $log contains" \
+  echo "$failures pictures or programs failed after $seconds s; $log contains" \
        "the output of the pictures' commands." >&2
   exit 1
 fi
-echo "The gallery is $PWD/$page, written in $((SECONDS - started)) s."
+echo "The gallery is $PWD/$page, written in $seconds s."

@@ -45,7 +45,8 @@ export class Panel {
   // Shows the colors of distances up to `max`.
   showLegend(max, step) {
     element('legend').hidden = false;
-    element('legend-step').textContent = step > 0 ? `isolines every ${shortNumber(step)}` : '';
+    element('legend-title').textContent =
+      step > 0 ? `Distance, isolines every ${Number(step.toPrecision(3))}` : 'Distance';
     element('legend-ticks').replaceChildren(...[0, 0.25, 0.5, 0.75, 1].map((fraction) => {
       const tick = document.createElement('span');
       tick.style.left = `${100 * fraction}%`;

@@ -30,6 +30,7 @@ function lineMaterial(color, width, {opacity = 1, lift = 0.002} = {}) {
     shader.vertexShader = shader.vertexShader.replace(
       '#include <logdepthbuf_vertex>', towardsCamera(lift));
   };
+  result.customProgramCacheKey = () => `line ${lift}`; // otherwise materials share one shader
   return result;
 }
 

@@ -95,8 +95,15 @@ export class Viewer {
   // Returns the worker of slow queries, and starts it when it is first needed.
   async slowEngine() {
     if (!this.engines.slow) {
-      this.engines.slow = this.startEngine();
-      await this.engines.slow.load(this.files);
+      const engine = this.startEngine();
+      this.engines.slow = engine;
+      try {
+        await engine.load(this.files);
+      } catch (error) {
+        engine.end();
+        if (this.engines.slow === engine) this.engines.slow = null;
+        throw error;
+      }
     }
     return this.engines.slow;
   }

@@ -55,7 +55,7 @@ export function native(command, model, options, values = false) {
 // Writes the page of a model by the program. Returns its file.
 export function page(model) {
   const file = model + '.html';
-  native('view', model, ['-o', file]);
+  native('view', model, [...(process.env.PAGE ? ['--page', process.env.PAGE] : []), '-o', file]);
   return file;
 }
 
