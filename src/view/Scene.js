@@ -77,6 +77,7 @@ export class Scene {
     this.bisectors = this.lines(lineMaterial(0x2a333b, 2.2));
     this.casing = this.lines(lineMaterial(0xffffff, 7.5));
     this.path = this.lines(lineMaterial(0xd63d1f, 4, {lift: 0.005}));
+    this.casing.material.depthWrite = false; // otherwise it hides parts of the path
     this.path.renderOrder = 2;
     this.markers.renderOrder = 3;
     this.overlays = [this.cells, this.decal, this.markers, this.isolines, this.bisectors,

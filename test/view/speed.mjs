@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // node speed.mjs BUILD MODEL: measures the processor time of the queries of the compiled page in the
-// folder BUILD, without the page. test/benchmark/viewer.cpp measures the same queries of the native
+// folder BUILD, without the page. test/benchmark/viewer_queries.cpp measures the same queries of the native
 // library.
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// viewer MODEL: measures the processor time of the queries of the interactive viewer, compiled for
+// viewer_queries MODEL: measures the processor time of the queries of the interactive viewer, compiled for
 // this processor. test/view/speed.mjs measures the same queries, compiled to WebAssembly.
 #include "view/Queries.h"
 
@@ -88,7 +88,7 @@ int main(int argc, char* argv[])
 {
   if(argc != 2)
   {
-    std::fprintf(stderr, "usage: viewer MODEL\n");
+    std::fprintf(stderr, "usage: viewer_queries MODEL\n");
     return 1;
   }
   run(argv[1]);
