@@ -59,7 +59,7 @@ endforeach()
 
 file(GLOB entries RELATIVE ${root}/src ${root}/src/*)
 foreach(entry IN LISTS entries)
-  if(NOT entry MATCHES "^(geodesic|python)$" AND NOT entry IN_LIST kernel_folders)
+  if(NOT entry MATCHES "^(geodesic|python|view)$" AND NOT entry IN_LIST kernel_folders)
     string(APPEND violations "  src/${entry}: not a folder of folders.cmake\n")
   endif()
 endforeach()
