@@ -27,9 +27,9 @@ using program::Cloud;
 using program::Kernel;
 using program::Mesh;
 
-// Not public: A solver has its method as a template argument. The page chooses it at run time.
-using GP::internal::Distance_method;
-using GP::internal::Runtime_method;
+// The page chooses the method at run time.
+using GP::Distance_method;
+using GP::Runtime_method;
 
 // Returns the method of a name. Throws Invalid_argument_error if it is unknown.
 inline Distance_method to_method(const std::string& name)
@@ -102,7 +102,8 @@ public:
     const Distance_method kind = to_method(method);
     if(!is_mesh && kind == Distance_method::exact)
       throw GP::Unsupported_surface_error("The method exact needs a mesh.");
-    Solver& solver = m_solvers.try_emplace(kind, m_domain, kind).first->second;
+    Solver& solver =
+        m_solvers.try_emplace(kind, m_domain, GP::parameters::method(kind)).first->second;
     solver.compute(positions(sources), GP::parameters::maximum_distance(limit).callback(callback));
     std::vector<double> result(m_number_of_vertices);
     for(std::size_t i = 0; i < result.size(); ++i)
