@@ -161,7 +161,7 @@ check_python_types()
   local options=(--cache-dir=/dev/null --strict)
   /usr/bin/python3 -m mypy "${options[@]}" src/python/geodesic_processing &&
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PWD/$release/python MYPYPATH=$PWD/$release/python \
-      /usr/bin/python3 -m mypy.stubtest geodesic_processing
+      /usr/bin/python3 -m mypy.stubtest geodesic_processing._core
 }
 
 # Builds the Python module and tests it with the interpreter of the distribution.

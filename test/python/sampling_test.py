@@ -130,8 +130,9 @@ def test_method_of_samples_and_cells(surface, method):
     first = [0, 115]
     distances = [surface.distance(v, method=method) for v in first]
     samples = surface.farthest_points(2, first=first, method=method)
-    # A front with two sources differs from the nearer of two fronts by less than an edge.
-    assert abs(samples.radii[1] - np.minimum(*distances).max()) < 0.1
+    # A front of three sources differs from three fronts by less than an edge.
+    sources = [*first, samples.locations[0]]
+    assert abs(samples.radii[0] - surface.distance(sources, method=method).max()) < 0.1
     labels = surface.voronoi(first, method=method).labels
     is_clear = np.abs(distances[0] - distances[1]) > 0.1
     assert np.array_equal(labels[is_clear], np.argmin(distances, axis=0)[is_clear])

@@ -194,6 +194,8 @@ class Distances(Base):
         callback
             A function that takes the completed fraction.
         """
+        if isinstance(pairs, np.ndarray) and pairs.ndim == 0:  # it has __iter__, which fails
+            raise InvalidArgumentError("pairs are not a list of pairs of vertices or locations.")
         return [self._path(path) for path in self._core.paths(pairs, callback)]
 
     def locate(self, points: ArrayLike) -> Locations:
@@ -268,7 +270,7 @@ class Distances(Base):
 
         Takes one distance computation for each row; for ``"mean"``, one for each vertex in a region.
         """
-        if reduce not in ("min", "mean"):
+        if not isinstance(reduce, str) or reduce not in ("min", "mean"):
             raise InvalidArgumentError("reduce is neither min nor mean.")
         return self._core.distance_matrix(
             sources,
