@@ -1,0 +1,40 @@
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The peak memory of a process, which tracemalloc does not see."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+SCRIPT = """
+import os, resource, sys
+import numpy as np
+sys.path.insert(0, sys.argv[1])
+import geodesic_processing as gp
+from conftest import grid_arrays
+
+def resident():
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+V, F = grid_arrays(500)
+before = resident()
+surface = gp.Surface(V, F)
+domain = resident() - before
+# Dijkstra's algorithm has the smallest solver.
+distance = surface.distance(0, method="dijkstra")
+peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 - before
+print(domain, distance.nbytes, peak)
+"""
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="needs the file system proc")
+def test_peak_is_domain_and_result():
+    run = subprocess.run(
+        [sys.executable, "-c", SCRIPT, os.path.dirname(__file__)], capture_output=True, check=True
+    )
+    domain, result, peak = map(int, run.stdout.split())
+    # A copy of the input has 10 % of the domain (points) or 20 % (faces).
+    assert peak <= 1.1 * (domain + result)
