@@ -5,7 +5,8 @@
 # Installs missing packages, builds everything and runs all tests.  All files are written to build/.
 #   --quick   without the sanitizer build
 #   --all     also check null pointers and alignment, and run all commands on all models of the data
-#             folder, clang-tidy on the kernels, and the fuzzer of each input format for one minute
+#             folder, clang-tidy on the kernels, lintian on the Debian packages, the library as a part
+#             of another project, and the fuzzer of each input format for one minute
 # Environment: JOBS (default: all processors), GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
 
@@ -17,7 +18,7 @@ for argument in "$@"; do
   case $argument in
     --quick) quick=1 ;;
     --all) all=1 ;;
-    *) sed -n '5,9s/^# \{0,1\}//p' "$0"; exit 1 ;;
+    *) sed -n '5,10s/^# \{0,1\}//p' "$0"; exit 1 ;;
   esac
 done
 
@@ -70,9 +71,10 @@ packages=(g++ cmake ninja-build ccache git lld
   libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev libassimp-dev liblemon-dev libpng-dev
   zlib1g-dev liblz4-dev libvtk9-dev xvfb xauth
   python3-dev pybind11-dev python3-numpy python3-pytest python3-hypothesis python3-meshio mypy
+  dpkg-dev
   doxygen texlive-binaries texlive-base libjs-mathjax clang-format-14)
 [ $quick = 1 ] || packages+=(clang-14 libclang-rt-14-dev llvm-14)
-[ $all = 0 ] || packages+=(clang-tidy-14 python3-skbuild python3-venv)
+[ $all = 0 ] || packages+=(clang-tidy-14 lintian python3-skbuild python3-venv)
 # The viewer's packages take a gigabyte, so they are installed only for continuous integration.
 # Debian's npm conflicts with other distributions of Node.js, so only the command is required.
 [ -z "${CI:-}" ] || packages+=(emscripten chromium)
@@ -125,15 +127,51 @@ build_sanitizer()
     cmake --build $sanitizer -j "$jobs" --target all all_verify_interface_header_sets -- -k 0
 }
 
-# Builds the program of the README in a project that finds the installed package by find_package.
+# build_consumer FOLDER OPTION...: builds and runs the program of the README in a project of its own.
+build_consumer()
+{
+  local folder=$1
+  shift
+  cmake -S test/consumer -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_CXX_COMPILER_LAUNCHER="env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache" \
+    "$@" >"$folder.log" || { cat "$folder.log"; return 1; }
+  cmake --build "$folder" -j "$jobs" && ctest --test-dir "$folder" --output-on-failure
+}
+
 check_installed_package()
 {
   rm -rf build/prefix build/consumer
   cmake --install $release --prefix "$PWD/build/prefix" >/dev/null &&
-    cmake -S test/consumer -B build/consumer -G Ninja -DCMAKE_BUILD_TYPE=Release \
-      -DCMAKE_PREFIX_PATH="$PWD/build/prefix" >build/consumer.log &&
-    cmake --build build/consumer &&
-    ctest --test-dir build/consumer --output-on-failure
+    build_consumer build/consumer -DCMAKE_PREFIX_PATH="$PWD/build/prefix"
+}
+
+# Writes the Debian packages, extracts them in a folder and uses them there.  Only --all calls lintian,
+# which takes longer than the other commands.
+check_debian_packages()
+{
+  rm -rf build/packages build/packaged_consumer
+  cpack --config $release/CPackConfig.cmake -G DEB -B "$PWD/build/packages" >build/packages.log ||
+    { cat build/packages.log; return 1; }
+  [ $all = 0 ] || lintian --allow-root --fail-on error build/packages/*.deb || return 1
+  local package root=$PWD/build/packages/root
+  for package in build/packages/*.deb; do
+    dpkg-deb --extract "$package" "$root" || return 1
+  done
+  [ -f "$root/usr/share/doc/geodesic-processing-doc/html/index.html" ] &&
+    "$root/usr/bin/geodesic" info test/consumer/two_triangles.off --json | grep '"faces": 2,' &&
+    build_consumer build/packaged_consumer -DCMAKE_PREFIX_PATH="$root/usr"
+}
+
+# Builds the library as a part of another project, in the two ways that CMake has.  It is not optimized,
+# to save time.
+check_subprojects()
+{
+  local command
+  rm -rf build/subproject
+  for command in add_subdirectory FetchContent; do
+    build_consumer build/subproject -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON \
+      -DCONSUMER_COMMAND=$command || return 1
+  done
 }
 
 # Prints the tests, examples and fuzz corpora of a build, one per line.
@@ -302,6 +340,8 @@ if step "build, manual" build_release; then
     step "viewer" check_viewer
   fi
   step "installed package" check_installed_package
+  step "Debian packages" check_debian_packages
+  [ $all = 0 ] || step "subprojects" check_subprojects
   if [ -d "$data/parts" ]; then
     step "mass test" check_many_meshes
   else
