@@ -162,6 +162,13 @@ check_debian_packages()
     build_consumer build/packaged_consumer -DCMAKE_PREFIX_PATH="$root/usr"
 }
 
+# Runs the commands of the page "Getting Started" with the installed package and the Python module.
+check_getting_started()
+{
+  CMAKE_GENERATOR=Ninja CMAKE_CXX_COMPILER_LAUNCHER=ccache \
+    bash test/getting_started.sh build/getting_started build/prefix $release/python
+}
+
 # Builds the library as a part of another project, in the two ways that CMake has.  It is not optimized,
 # to save time.
 check_subprojects()
@@ -340,6 +347,7 @@ if step "build, manual" build_release; then
     step "viewer" check_viewer
   fi
   step "installed package" check_installed_package
+  step "getting started" check_getting_started
   step "Debian packages" check_debian_packages
   [ $all = 0 ] || step "subprojects" check_subprojects
   if [ -d "$data/parts" ]; then
