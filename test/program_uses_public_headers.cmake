@@ -12,7 +12,7 @@ endif()
 list(JOIN kernel_folders "|" folders)
 set(internal_header "^# *include (<.*/internal/|\"(${folders}|adaptors)/)")
 set(internal_name "(^|[^A-Za-z0-9_])internal([^A-Za-z0-9_]|$)")
-set(kernel_access "[.>](arrays|inner|inner_vertex|map|outer|surfel_input|surfels|triangles)\\(")
+set(kernel_access "[.>]((arrays|inner|inner_vertex|map|outer|surfel_input|surfels)\\(|triangles\\(\\))")
 set(reason "// Not public: [A-Za-z]")
 
 set(found "")

@@ -54,12 +54,13 @@ py::tuple fuzzy_geodesic(const Surface<Domain>& surface, const py::object& a, co
   using Vertex = typename Surface<Domain>::Vertex;
   const auto p = read_location(surface, a), q = read_location(surface, b);
   const std::optional<Numbers> speeds = surface.vertex_speeds(speed);
-  // Not public: Named parameters are types, so that number_of_refinements cannot be omitted at run
-  // time. More than 30 refinements exceed all limits.
-  const unsigned refinements =
-      number_of_refinements.is_none()
-          ? GP::internal::default_number_of_refinements(*surface.domain().triangles())
-          : unsigned(index(number_of_refinements, "number of refinements", 31));
+  unsigned refinements;
+  if(number_of_refinements.is_none())
+    // Not public: Named parameters are types, so that number_of_refinements cannot be omitted at run
+    // time.
+    refinements = GP::internal::default_number_of_refinements(*surface.domain().triangles());
+  else // more than 30 refinements exceed all limits
+    refinements = unsigned(index(number_of_refinements, "number of refinements", 31));
   py::array_t<double> likelihoods(py::ssize_t(surface.number_of_points()));
   const Output_map<Vertex, double> map{likelihoods.mutable_data(), 1};
   Computation computation(callback);
