@@ -46,29 +46,37 @@ inline Distance_method to_method(const std::string& name)
   return found->second;
 }
 
-// A property map whose keys are numbers of vertices or surfels.
-template <typename Key, typename Value, typename Category>
-struct Array_map
+// A readable property map of numbers at vertices or surfels.
+template <typename Key>
+struct Value_map
+{
+  using key_type = Key;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<double>* values;
+  friend double get(const Value_map& map, const Key& key)
+  {
+    return (*map.values)[std::size_t(key)];
+  }
+};
+
+// A writable property map at vertices or surfels. Values are converted to elements of an array.
+template <typename Key, typename Value, typename Element>
+struct Output_map
 {
   using key_type = Key;
   using value_type = Value;
   using reference = Value;
-  using category = Category;
+  using category = boost::writable_property_map_tag;
 
-  std::conditional_t<std::is_same_v<Category, boost::readable_property_map_tag>,
-                     const std::vector<double>, std::vector<std::uint32_t>>* values;
-
-  friend Value get(const Array_map& map, const Key& key) { return (*map.values)[std::size_t(key)]; }
-  // The largest number means that there is no label. It remains the largest one in fewer bits.
-  friend void put(const Array_map& map, const Key& key, const Value& value)
+  std::vector<Element>* elements;
+  friend void put(const Output_map& map, const Key& key, const Value& value)
   {
-    (*map.values)[std::size_t(key)] = static_cast<std::uint32_t>(value);
+    (*map.elements)[std::size_t(key)] = static_cast<Element>(value);
   }
 };
-template <typename Key>
-using Value_map = Array_map<Key, double, boost::readable_property_map_tag>;
-template <typename Key>
-using Label_map = Array_map<Key, std::size_t, boost::writable_property_map_tag>;
 
 template <typename Points>
 std::vector<Point> coordinates_of(const Points& points)
@@ -106,8 +114,7 @@ public:
         m_solvers.try_emplace(kind, m_domain, GP::parameters::method(kind)).first->second;
     solver.compute(positions(sources), GP::parameters::maximum_distance(limit).callback(callback));
     std::vector<double> result(m_number_of_vertices);
-    for(std::size_t i = 0; i < result.size(); ++i)
-      result[i] = solver.distance(vertex(i));
+    solver.write_distances(Output_map<Vertex, double, double>{&result});
     return result;
   }
 
@@ -185,7 +192,9 @@ protected:
                                     const Callback& callback) const
   {
     std::vector<std::uint32_t> result(m_number_of_vertices, no_label);
-    GP::geodesic_voronoi_diagram(m_domain, seeds, Label_map<Vertex>{&result},
+    // The largest std::size_t means that there is no label. It becomes no_label.
+    GP::geodesic_voronoi_diagram(m_domain, seeds,
+                                 Output_map<Vertex, std::size_t, std::uint32_t>{&result},
                                  GP::parameters::callback(callback));
     return result;
   }
