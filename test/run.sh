@@ -76,8 +76,11 @@ packages=(g++ cmake ninja-build ccache git lld
 [ $quick = 1 ] || packages+=(clang-14 libclang-rt-14-dev llvm-14)
 [ $all = 0 ] || packages+=(clang-tidy-14 lintian python3-skbuild python3-venv)
 # The viewer's packages take a gigabyte, so they are installed only for continuous integration.
-# Debian's npm conflicts with other distributions of Node.js, so only the command is required.
-[ -z "${CI:-}" ] || packages+=(emscripten chromium)
+# Debian's npm conflicts with other distributions of Node.js, so an existing command is used.
+if [ -n "${CI:-}" ]; then
+  packages+=(emscripten chromium)
+  command -v npm >/dev/null || packages+=(npm)
+fi
 
 sources() { git ls-files --cached --others --exclude-standard '*.h' '*.cpp'; }
 check_format() { sources | xargs -r clang-format-14 --dry-run -Werror; }
@@ -258,7 +261,7 @@ check_viewer()
     { cat build/viewer.log; return 1; }
   cmake --build $release -j "$jobs" --target viewer &&
     GEODESIC_VIEWER=$PWD/$release/viewer GEODESIC_PROCESSING_PROGRAM=$PWD/$release/geodesic \
-      GEODESIC_PROCESSING_DATA=$data node --test --test-reporter=spec test/view |
+      GEODESIC_PROCESSING_DATA=$data node --test --test-reporter=spec test/view/*_test.mjs |
     tee build/viewer_tests.log &&
     at_least $min_viewer_tests "$(sed -n 's/^ℹ pass //p' build/viewer_tests.log)" "number of tests"
 }
