@@ -22,15 +22,18 @@ std::shared_ptr<Mesh_surface>
 surface_of_triangles(const std::vector<Kernel::Point_3>& points,
                      const std::vector<std::array<std::size_t, 3>>& triangles);
 
-// Returns the vertices of edges, one row each.
+// Returns the source and the target of edges, one row each.
 template <typename Edges>
 py::array_t<std::int64_t> edge_array(const Mesh& mesh, const Edges& edges)
 {
   py::array_t<std::int64_t> result(Shape{py::ssize_t(edges.size()), 2});
   std::int64_t* next = result.mutable_data();
   for(const Mesh::Edge_index edge : edges)
-    for(const unsigned end : {0u, 1u})
-      *next++ = std::int64_t(std::size_t(mesh.vertex(edge, end)));
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(edge);
+    *next++ = std::int64_t(std::size_t(mesh.source(h)));
+    *next++ = std::int64_t(std::size_t(mesh.target(h)));
+  }
   return result;
 }
 

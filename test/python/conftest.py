@@ -53,17 +53,11 @@ def prism_arrays(k, n):
     return V, F
 
 
-def cube_arrays():
-    """Returns the unit cube with two triangles on each side, oriented outwards."""
-    V = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
-    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    F = np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
-    return V, F
-
-
 def points_of(V, F, faces, barycentric):
     """Returns the points with barycentric coordinates in faces."""
     return np.einsum("ij,ijk->ik", barycentric, V[F[faces]])
+
+
 def refined_arrays(V, F):
     """Returns the uniform 1-to-4 refinement of a mesh. Vertices of the mesh come first."""
     edges = np.sort(F[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
@@ -96,8 +90,8 @@ def torus_arrays(n, m, radius=1.0, tube=0.4):
     return V, np.concatenate([np.stack([p, q, r], 1), np.stack([p, r, s], 1)])
 
 
-def cube_arrays(levels):
-    """Returns a refined cube with edges of length 1."""
+def cube_arrays(levels=0):
+    """Returns the unit cube with two refined triangles on each side, oriented outwards."""
     V = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
     quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
     F = np.array([t for a, b, c, d in quads for t in ([a, b, c], [a, c, d])])
