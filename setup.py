@@ -1,5 +1,6 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
+from setuptools import find_packages
 from skbuild import setup
 
 cmake_args = [
@@ -17,7 +18,7 @@ except ImportError:
     pass  # CMake finds the package of the system
 
 setup(
-    packages=["geodesic_processing"],
+    packages=find_packages("src/python"),
     package_dir={"": "src/python"},
     package_data={"geodesic_processing": ["*.pyi", "py.typed"]},
     cmake_install_dir="src/python",

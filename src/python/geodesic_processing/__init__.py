@@ -24,6 +24,7 @@ Conventions
   arrives. Computations with this argument react to Ctrl-C.
 """
 
+from . import compat as compat
 from ._atlas import Atlas
 from ._convert import as_surface
 from ._core import Cancelled, FileError, InvalidArgumentError, UnsupportedSurfaceError
