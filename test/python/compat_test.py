@@ -265,7 +265,9 @@ def test_potpourri3d_edges_have_order_of_faces():
 def test_potpourri3d_validates():
     V, F = grid_arrays(2)
     pp3d.validate_mesh(V, F, True, True)
-    for points, faces in ((V[:, :2], F), (V, F[:, :2]), (V, F + 1), (V, F - 1), (V, [[0, 1, 2, 3]])):
+    for points, faces in (
+        (V[:, :2], F), (V, F[:, :2]), (V, F + 1), (V, F - 1), (V, [[0, 1, 2, 3]]),
+    ):
         with pytest.raises(ValueError):
             pp3d.validate_mesh(points, faces, True, True)
 
@@ -433,7 +435,8 @@ def test_potpourri3d_extends_values_of_nearest_sources():
 def test_potpourri3d_paths_are_straight_in_plane(arrays):
     V, F = arrays
     solver = pp3d.EdgeFlipGeodesicSolver(V, F)
-    for path in (solver.find_geodesic_path(3, 117), solver.find_geodesic_path_poly([3, 60, 11, 117])):
+    bent = solver.find_geodesic_path_poly([3, 60, 11, 117])
+    for path in (solver.find_geodesic_path(3, 117), bent):
         assert np.abs(path[[0, -1]] - V[[3, 117]]).max() <= ROUND_OFF
         assert np.abs(np.cross(path - V[3], V[117] - V[3])).max() <= PATH_ERROR
         assert abs(length_of(path) - np.linalg.norm(V[117] - V[3])) <= PATH_ERROR
@@ -543,7 +546,9 @@ def test_xatlas_packs_several_meshes():
             function()
     assert atlas.mesh_count == 2
     for function in (
-        lambda: atlas[2], lambda: atlas.get_mesh_chart(0, count[0]), lambda: atlas.get_utilization(1),
+        lambda: atlas[2],
+        lambda: atlas.get_mesh_chart(0, count[0]),
+        lambda: atlas.get_utilization(1),
     ):
         with pytest.raises(IndexError):
             function()
@@ -571,6 +576,20 @@ def test_xatlas_keeps_repaired_faces():
     assert (uvs[indices[0]] == 0).all()
     assert signed_areas(uvs[indices[1:-1]]).min() > 0
     assert sorted(indices[-1]) == sorted(indices[6])
+
+
+def test_xatlas_packs_both_sides_of_sheets():
+    V, F = grid_arrays(3)
+    faces = np.concatenate([F, F[:, [0, 2, 1]], F[:1, [1, 0, 2]]])
+    atlas = xatlas.Atlas()
+    atlas.add_mesh(V, faces)
+    atlas.generate()
+    vmapping, indices, uvs = atlas[0]
+    assert np.array_equal(vmapping[indices], faces)
+    areas = signed_areas(uvs[indices])
+    assert areas.min() > 0
+    # The last face is repeated. Coordinates are rounded to float32.
+    assert abs(areas[:-1].sum() - atlas.utilization) <= 1e-6
 
 
 def test_xatlas_options_that_are_not_covered():

@@ -10,8 +10,8 @@ Differences
   in matrices. In gdist, they can have a finite distance.
 - ``distance_matrix_of_selected_points()`` needs distinct points.
 
-All tests of gdist pass whose data are in its repository. The test ``test_equality_with_stable``
-reads matrices that are not there.
+All tests of gdist pass. The matrices that ``test_equality_with_stable`` reads are not in its
+repository; they were computed with the C++ library of gdist.
 """
 
 from __future__ import annotations

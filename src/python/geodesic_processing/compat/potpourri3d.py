@@ -13,7 +13,8 @@ Differences
 - ``PolygonMeshHeatSolver`` triangulates polygons.
 - ``EdgeFlipGeodesicSolver`` begins with shortest paths between consecutive vertices, not with
   shortest edge paths. The path between two vertices is therefore a shortest path. The limits
-  ``max_iterations`` and ``max_relative_length_decrease`` are not covered.
+  ``max_iterations`` and ``max_relative_length_decrease`` are not covered. A contractible loop
+  shrinks to a point, also if it could get stuck around a neck of the mesh.
 - ``GeodesicTracer`` projects directions at a vertex to the face that contains the projection.
 - ``read_mesh()`` raises ``NotImplementedError`` for faces that are repaired or triangulated by
   ``read()``. ``write_mesh()`` writes OBJ files, ``write_point_cloud()`` also PLY files.
@@ -24,7 +25,8 @@ Tests of potpourri3d pass, with the following exceptions.
 
 - ``test_write_read_mesh``: reads random triangles, which are repaired
 - ``test_mesh_vector_heat``: uses the connection Laplacian and transports vectors
-- ``test_point_cloud_vector_heat``: transports vectors
+- ``test_point_cloud_vector_heat``: extends values to random points of a cube, of which some are
+  not reached, and transports vectors
 - ``test_mesh_flip_geodesic``: limits the number of iterations
 - ``test_point_cloud_local_triangulation``: uses ``PointCloudLocalTriangulation``
 """

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Texture atlases with the interface of xatlas 0.0.11.
 
-The charts and their images are those of ``Surface.atlas()``: no face is inverted, and charts do
-not overlap.
+The charts and their images are those of ``Surface.atlas()``: images of faces are not inverted,
+and do not overlap.
 
 Differences
 -----------
@@ -12,7 +12,8 @@ Differences
 - Normals and texture coordinates of the input are checked, but do not influence the charts.
 - Vertices with equal coordinates are one vertex for the charts, as in xatlas.
 - Faces that are repeated or have two equal corners, and edges with more than two faces, are
-  repaired. Faces that are removed have the texture coordinates (0, 0), and are in no chart.
+  repaired. Faces that are removed have the texture coordinates (0, 0), and are in no chart. The
+  images of faces that are reversed are clockwise.
 - ``add_mesh()`` and ``generate()`` cannot be called after ``generate()``.
 - Not covered: ``Atlas.add_uv_mesh()``, ``Atlas.get_chart_image()``, ``Atlas.chart_image``,
   ``Chart.type``, ``ChartType``, and options with values other than their defaults, except for
@@ -186,10 +187,10 @@ class Atlas:
         RuntimeError
             If an index is out of range, or if the atlas is already generated.
         """
-        self._inputs.append(_checked_mesh(positions, indices, normals, uvs))
+        mesh = _checked_mesh(positions, indices, normals, uvs)
         if self._utilization is not None:
-            self._inputs.pop()
             raise RuntimeError("No mesh can be added to an atlas that is generated.")
+        self._inputs.append(mesh)
 
     def generate(
         self,
@@ -221,29 +222,34 @@ class Atlas:
         pack._check()
         if not self._inputs:
             return
-        self._size = pack.resolution or 1024
-        points = np.concatenate([points for points, _ in self._inputs])
-        sizes = [len(points) for points, _ in self._inputs]
-        first = np.cumsum([0, *sizes])
-        faces = np.concatenate([f + i for (_, f), i in zip(self._inputs, first)])
-        mesh = np.repeat(np.arange(len(sizes)), sizes)
-        # Vertices with equal coordinates are welded, but not those of different meshes.
-        rows, vertices = np.unique(np.column_stack([points, mesh]), axis=0, return_inverse=True)
-        welded_faces = vertices.ravel()[faces]
-        surface = Surface(rows[:, :3], welded_faces)
-        result = surface.atlas(
-            texture_size=self._size, gutter_width=max(pack.padding, 3 if pack.bilinear else 1)
+        size = pack.resolution or 1024
+        points, faces = self._joined_meshes()
+        result = Surface(points, faces).atlas(
+            texture_size=size, gutter_width=max(pack.padding, 3 if pack.bilinear else 1)
         )
-        corners, charts = _match_faces(welded_faces, result)
-        uv = np.concatenate([result.uv, np.zeros((1, 2))])
+        corners, charts = _match_faces(faces, result)
+        uv = np.concatenate([result.uv, np.zeros((1, 2))])  # the last row for faces without chart
         begin = 0
-        for _, input_faces in self._inputs:
-            part = slice(begin, begin + len(input_faces))
-            self._meshes.append(_output_mesh(input_faces, corners[part], charts[part], uv))
-            begin += len(input_faces)
+        for _, rows in self._inputs:
+            part = slice(begin, begin + len(rows))
+            self._meshes.append(_output_mesh(rows, corners[part], charts[part], uv))
+            begin += len(rows)
+        self._size = size
         self._chart_count = result.number_of_charts
         self._utilization = result.coverage
         self._texels_per_unit = result.texels_per_length
+
+    def _joined_meshes(self) -> tuple[Floats, Integers]:
+        """Returns one mesh. Vertices of a mesh with equal coordinates are welded."""
+        sizes = [len(points) for points, _ in self._inputs]
+        numbers = np.repeat(np.arange(len(sizes)), sizes)
+        points = np.concatenate([points for points, _ in self._inputs])
+        begins = np.cumsum([0, *sizes])
+        faces = np.concatenate([rows + i for (_, rows), i in zip(self._inputs, begins)])
+        rows, vertices = np.unique(
+            np.column_stack([points, numbers]), axis=0, return_inverse=True
+        )
+        return rows[:, :3], vertices.ravel()[faces]
 
     def get_mesh(self, mesh_index: int) -> MeshArrays:
         """Returns a mesh with texture coordinates.
@@ -258,7 +264,8 @@ class Atlas:
     def get_mesh_vertex_assignment(self, mesh_index: int) -> tuple[Indices, Indices]:
         """Returns the atlas and the chart of each new vertex of a mesh, two arrays of shape (k,).
 
-        There is one atlas, 0. Charts are those of the whole atlas.
+        There is one atlas, 0. Charts are those of the whole atlas. The chart of a vertex without
+        chart is 2^32 - 1.
         """
         charts = self._mesh(mesh_index).vertex_charts.astype(np.uint32)
         return np.zeros_like(charts), charts
@@ -416,21 +423,25 @@ def _checked_index(name: str, index: int, size: int) -> int:
 def _match_faces(faces: Integers, atlas: SurfaceAtlas) -> tuple[Integers, Integers]:
     """Returns the vertices of the atlas at the corners of each face, and its chart.
 
-    Both are -1 for faces that are not in the atlas. Faces can have other corners first, or the
-    opposite orientation in the atlas.
+    Both are -1 for faces that are not in the atlas. Faces can begin at another corner in the atlas.
+    If they are not found, they are searched with the opposite orientation.
     """
-    found = atlas.vertices[atlas.faces]
-    sets = np.sort(np.concatenate([found, faces]), axis=1)
-    label = np.unique(sets, axis=0, return_inverse=True)[1].ravel()
-    row_of = np.full(label.max() + 1, -1)
-    row_of[label[: len(found)]] = np.arange(len(found))
-    rows = row_of[label[len(found) :]]
-    order, found_order = np.argsort(faces, axis=1), np.argsort(found[rows], axis=1)
+    m = len(atlas.faces)
+    candidates = np.concatenate([atlas.faces, atlas.faces[:, ::-1]])
+    vertices = np.concatenate([atlas.vertices[candidates], faces])
+    # The corners of each face, beginning at the smallest vertex.
+    order = (vertices.argmin(axis=1)[:, None] + np.arange(3)) % 3
+    rotated = np.take_along_axis(vertices, order, axis=1)
+    label = np.unique(rotated, axis=0, return_inverse=True)[1].ravel()
+    row_of = np.full(len(label), -1)
+    row_of[label[m : 2 * m]] = np.arange(m, 2 * m)
+    row_of[label[:m]] = np.arange(m)
+    rows = row_of[label[2 * m :]]
     corners = np.empty_like(faces)
-    sorted_corners = np.take_along_axis(atlas.faces[rows], found_order, axis=1)
-    np.put_along_axis(corners, order, sorted_corners, axis=1)
+    found = np.take_along_axis(candidates[rows], order[rows], axis=1)
+    np.put_along_axis(corners, order[2 * m :], found, axis=1)
     corners[rows < 0] = -1
-    return corners, np.where(rows < 0, -1, atlas.charts[rows])
+    return corners, np.where(rows < 0, -1, atlas.charts[rows % m])
 
 
 def _output_mesh(faces: Integers, corners: Integers, charts: Integers, uv: Floats) -> _Mesh:
