@@ -7,11 +7,10 @@ Conventions
 - A vertex is the index of a row of ``V`` (mesh) or ``P`` (cloud).
 - A location is a vertex, a pair ``(face, barycentric)`` on a mesh, a pair ``(surfel, offset)`` on a
   cloud, or a row of ``Surface.locate(points)``. Ranges are lists or tuples of them, arrays of
-  vertices, and ``Locations``. A tuple of two integers is a range of two vertices.
-- Images and textures are arrays of uint8. Their first row is the highest one, as in image files.
-  Coordinates (0, 0) of an image or a texture are its lower left corner.
   vertices, and ``Locations``. A tuple of two integers is a range of two vertices. A source can also
   be a ``Polyline``.
+- Images and textures are arrays of uint8. Their first row is the highest one, as in image files.
+  Coordinates (0, 0) of an image or a texture are its lower left corner.
 - Lengths have the unit of the coordinates. A distance is infinite if no source reaches the vertex.
 - Arrays of float64 and float32, int32, int64, uint32 and uint64 are read without a copy, with any
   strides. Others are converted.
