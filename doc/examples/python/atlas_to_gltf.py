@@ -18,23 +18,23 @@ else:
 atlas = surface.atlas(6, texture_size=512)
 print(f"charts: {atlas.number_of_charts}, injective: {atlas.is_injective}")
 print(f"used part of the texture: {atlas.coverage:.1%}")
-
 points, faces = atlas.points.astype("<f4"), atlas.faces.astype("<u4")
 uv = (atlas.uv * (1, -1) + (0, 1)).astype("<f4")  # in glTF, (0, 0) is the upper left corner
 data = [points.tobytes(), uv.tobytes(), faces.tobytes()]
-starts = [0, len(data[0]), len(data[0]) + len(data[1])]
-views = [{"buffer": 0, "byteOffset": a, "byteLength": len(b)} for a, b in zip(starts, data)]
 number_of_bytes = sum(map(len, data))
+views = [{"buffer": 0, "byteOffset": sum(map(len, data[:k])), "byteLength": len(data[k])}
+         for k in range(3)]
+real, integer = 5126, 5125  # the numbers of types in glTF: float32 and uint32
 box = {"min": points.min(axis=0).tolist(), "max": points.max(axis=0).tolist()}
-accessors = [{"bufferView": 0, "componentType": 5126, "count": len(points), "type": "VEC3", **box},
-             {"bufferView": 1, "componentType": 5126, "count": len(uv), "type": "VEC2"},
-             {"bufferView": 2, "componentType": 5125, "count": faces.size, "type": "SCALAR"}]
+accessors = [{"bufferView": 0, "componentType": real, "count": len(points), "type": "VEC3", **box},
+             {"bufferView": 1, "componentType": real, "count": len(uv), "type": "VEC2"},
+             {"bufferView": 2, "componentType": integer, "count": faces.size, "type": "SCALAR"}]
 primitive = {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2}
 gltf = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
         "meshes": [{"primitives": [primitive]}], "buffers": [{"byteLength": number_of_bytes}],
         "bufferViews": views, "accessors": accessors}
 text = json.dumps(gltf).encode()
 text += b" " * (-len(text) % 4)
-header = struct.pack("<4s4I", b"glTF", 2, 28 + len(text) + number_of_bytes, len(text), 0x4E4F534A)
+header = struct.pack("<4s3I4s", b"glTF", 2, 28 + len(text) + number_of_bytes, len(text), b"JSON")
 with open("atlas.glb", "wb") as file:
-    file.write(header + text + struct.pack("<II", number_of_bytes, 0x4E4942) + b"".join(data))
+    file.write(header + text + struct.pack("<I4s", number_of_bytes, b"BIN") + b"".join(data))
