@@ -461,6 +461,25 @@ def test_potpourri3d_loops_are_shortest():
     assert solver.find_geodesic_loop([0, 1, k + 1]).shape == (1, 3)  # contractible
 
 
+def test_potpourri3d_contractible_loop_ends_around_neck():
+    k, radii = 8, [1, 0.8, 0.5, 0.8, 1]
+    V, F = prism_arrays(k, len(radii))
+    V *= np.column_stack([np.repeat(radii, k)] * 2 + [np.full(len(V), 4.0)])
+    # A pole at each end closes the surface, so that all loops are contractible.
+    bottom, top = len(V), len(V) + 1
+    V = np.concatenate([V, [[0, 0, -1], [0, 0, 5]]])
+    i = np.arange(k)
+    j, last = (i + 1) % k, 4 * k
+    caps = [np.stack([j, i, np.full(k, bottom)], 1), np.stack([i, j, top - last + 0 * i], 1) + last]
+    solver = pp3d.EdgeFlipGeodesicSolver(V, np.concatenate([F, *caps]))
+    loop = solver.find_geodesic_loop([k + 1, k + 4, k + 7])
+    assert abs(length_of(loop) - k * math.sin(math.pi / k)) <= PATH_ERROR
+    assert np.abs(loop[:, 2] - 2).max() <= 1e-6  # the square root of the error of the length
+    assert np.abs(loop[0] - loop[-1]).max() <= ROUND_OFF
+    assert solver.find_geodesic_loop([0, 1, k + 1]).shape == (1, 3)
+    assert solver.find_geodesic_loop([0, 1]).shape == (1, 3)
+
+
 def test_potpourri3d_unconnected_vertices_have_no_path():
     V, F = grid_arrays(2)
     solver = pp3d.EdgeFlipGeodesicSolver(np.concatenate([V, V + 2]), np.concatenate([F, F + 4]))

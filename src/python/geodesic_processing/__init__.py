@@ -21,6 +21,7 @@ Conventions
 - ``callback(fraction)`` is called with the completed fraction. If it returns a false value other
   than ``None``, the function raises ``Cancelled``. If it raises an exception, this exception
   arrives. Computations with this argument react to Ctrl-C.
+- The modules of ``compat`` have the interfaces of other packages.
 """
 
 from . import compat as compat

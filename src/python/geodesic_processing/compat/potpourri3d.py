@@ -13,8 +13,7 @@ Differences
 - ``PolygonMeshHeatSolver`` triangulates polygons.
 - ``EdgeFlipGeodesicSolver`` begins with shortest paths between consecutive vertices, not with
   shortest edge paths. The path between two vertices is therefore a shortest path. The limits
-  ``max_iterations`` and ``max_relative_length_decrease`` are not covered. A contractible loop
-  shrinks to a point, also if it could get stuck around a neck of the mesh.
+  ``max_iterations`` and ``max_relative_length_decrease`` are not covered.
 - ``GeodesicTracer`` projects directions at a vertex to the face that contains the projection.
 - ``read_mesh()`` raises ``NotImplementedError`` for faces that are repaired or triangulated by
   ``read()``. ``write_mesh()`` writes OBJ files, ``write_point_cloud()`` also PLY files.
@@ -33,15 +32,16 @@ Tests of potpourri3d pass, with the following exceptions.
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Sequence
-from typing import Any, Union
+from typing import Any, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
-from .._distances import Solver
+from .._distances import Path, Solver
 from .._surface import Surface, read
 from .._types import Floats, Integers, Locations
 from ._common import missing_method, missing_names, not_covered, require_default, scipy_sparse
@@ -660,12 +660,15 @@ class EdgeFlipGeodesicSolver:
     ) -> Floats:
         """Joins vertices to a loop by shortest paths, and shortens it to a locally shortest loop.
 
-        The last point equals the first one. If the loop is contractible, the result is a single
-        point. See ``find_geodesic_path()`` for the rest.
+        The last point equals the first one. A contractible loop can end around a neck of the mesh.
+        If there is no neck, the result is a single point. See ``find_geodesic_path()`` for the
+        rest.
         """
         closed = [*v_list, *v_list[:1]]
         _check_shortening(closed, max_iterations, max_relative_length_decrease)
-        return _connected(self._surface.shorten_loop(np.asarray(v_list)).points)
+        loop = self._surface.shorten_loop(np.asarray(v_list))
+        neck = _loop_around_neck(self._surface, np.asarray(v_list)) if loop.is_point else None
+        return _connected(loop.points) if neck is None else neck
 
 
 class GeodesicTracer:
@@ -772,6 +775,36 @@ def _check_shortening(
     require_default("max_relative_length_decrease", max_decrease or None, None)
     if any(a == b for a, b in zip(vertices, vertices[1:])):
         raise RuntimeError("Consecutive vertices are equal.")
+
+
+def _loop_around_neck(surface: Surface, vertices: Integers) -> Floats | None:
+    """Returns a locally shortest loop. Returns None if the loop shrinks to a point.
+
+    ``Surface.shorten_loop()`` shrinks all contractible loops. Birkhoff's curve shortening process
+    stops at a neck: it alternately shortens the halves of the loop, between other points each time.
+    """
+    loop = cast(Path, surface.polyline(vertices, close=True).path)
+    points, locations, length = loop.points, Locations(loop.faces, loop.barycentric), loop.length
+    min_length = 1e-9 * length  # a point
+    previous = math.inf
+    while length < previous * (1 - 1e-12):  # the decrease exceeds round-off errors
+        n = len(locations)
+        if n < 4 or length <= min_length:
+            return None
+        previous = length
+        a, b = n // 4, 3 * n // 4
+        first = _shortened(surface, locations, np.arange(a, b + 1))
+        second = _shortened(surface, locations, np.r_[b:n, 1 : a + 1])
+        points, faces, barycentric = (
+            np.concatenate([x, y[1:]]) for x, y in zip(first[:3], second[:3])
+        )
+        locations, length = Locations(faces, barycentric), first.length + second.length
+    return points
+
+
+def _shortened(surface: Surface, locations: Locations, rows: Integers) -> Path:
+    part = Locations(locations.indices[rows], locations.coordinates[rows])
+    return cast(Path, surface.shorten_polyline(part))
 
 
 def _connected(points: Floats) -> Floats:
