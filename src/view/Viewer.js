@@ -301,7 +301,7 @@ export class Viewer {
     const step = isolineStep(max, state.lines);
     this.values = {name: 'distance', array: values};
     this.scene.showValues(values, max, step);
-    this.panel.showLegend(max, step);
+    this.panel.showLegend(max, step, this.scene.isMesh);
     const unreached = values.length - reached;
     this.panel.showResult(`Largest distance ${shortNumber(max)}`,
       `${methodNames[method]}, ${time(seconds)}` +

@@ -66,7 +66,7 @@ float step_fade(float width) { return clamp(2.0 - 4.0 * width, 0.0, 1.0); }
 void main`),
 };
 
-// Disks of a cloud, which face the camera.
+// Disks of a cloud, in the tangent planes of its points.
 export const cloudShader = {
   uniforms: () => ({mode: {value: 0}, range: {value: 1}, step: {value: 0}, radius: {value: 0.01},
                     height: {value: 1}}),
@@ -74,34 +74,41 @@ export const cloudShader = {
 uniform float radius, height;
 attribute float value;
 attribute vec3 tint;
-varying float vValue;
+varying float vValue, vDepth;
 varying vec3 vNormal, vTint;
 void main() {
   vValue = value;
   vTint = tint;
   vNormal = normalMatrix * normal;
   vec4 position = modelViewMatrix * vec4(position, 1.0);
+  vDepth = position.z;
   gl_Position = projectionMatrix * position;
   gl_PointSize = max(1.5, height * projectionMatrix[1][1] * radius / gl_Position.w);
 }`,
   fragmentShader: `
 uniform int mode;
 uniform float range, step, radius;
-varying float vValue;
+uniform mat4 projectionMatrix;
+varying float vValue, vDepth;
 varying vec3 vNormal, vTint;
 ${common}
 void main() {
-  vec2 offset = 2.0 * gl_PointCoord - 1.0;
-  if (dot(offset, offset) > 1.0) discard;
+  vec3 normal = normalize(vNormal);
+  if (normal.z < 0.0) normal = -normal;
+  // The point of the disk at this pixel, in the unit of the radius.
+  vec2 offset = vec2(2.0, -2.0) * gl_PointCoord - vec2(1.0, -1.0);
+  float height = -dot(offset, normal.xy) / max(normal.z, 0.15);
+  if (dot(offset, offset) + height * height > 1.0) discard;
+  float z = vDepth + radius * height;
+  gl_FragDepth = 0.5 - 0.5 * (projectionMatrix[2][2] + projectionMatrix[3][2] / z);
   vec3 color = ${vec3(surfaceColor)};
   if (mode == 2) color = vTint;
   if (mode == 1) {
     color = vValue < 0.0 ? unreached : colorOf(vValue / range);
-    float toLine = abs(fract(vValue / step - 0.5) - 0.5) * step;
-    if (step > 0.0 && vValue > 0.5 * step && toLine < 0.6 * radius)
-      color = mix(color, vec3(0.06, 0.08, 0.10), 0.7);
+    // Every other band is darker. Lines would be as wide as the disks.
+    if (step > 0.0 && vValue >= 0.0 && fract(0.5 * vValue / step) >= 0.5) color *= 0.7;
   }
-  gl_FragColor = vec4(lit(color, normalize(vNormal)), 1.0);
+  gl_FragColor = vec4(lit(color, normal), 1.0);
 }`,
 };
 
