@@ -5,8 +5,8 @@
 const deadline = 20;
 const patience = 5;
 
-// Runs queries in a worker. If a query takes too long or fails, the worker is replaced by a new one,
-// which loads the surface again.
+// Runs queries in a worker. If a query takes too long or fails, the worker is replaced by a new
+// one, which loads the surface again.
 export class Engine {
   // source   the script of the worker
   // module   the compiled kernels
@@ -19,8 +19,8 @@ export class Engine {
     this.restart();
   }
 
-  // Loads a surface from files {name, bytes}. The first one can refer to the others. If it cannot be
-  // read, the last surface remains.
+  // Loads a surface from files {name, bytes}. The first one can refer to the others. If it cannot
+  // be read, the last surface remains.
   async load(files) {
     await this.restored;
     const {result} = await this.call('load', [files], 600);

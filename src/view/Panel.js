@@ -42,12 +42,12 @@ export class Panel {
     this.messageTimer = setTimeout(() => { element('message').hidden = true; }, 8000);
   }
 
-  // Shows the colors of distances up to `max`. Isolines of meshes and bands of clouds have the width
-  // `step`, unless it is zero.
+  // Shows the colors of distances up to `max`. Isolines of meshes and bands of clouds have the
+  // width `step`, unless it is zero.
   showLegend(max, step, isMesh) {
     element('legend').hidden = false;
     element('legend-title').textContent =
-      step > 0 ? `Distance, ${isMesh ? 'isolines every' : 'bands of'} ${Number(step.toPrecision(3))}`
+      step > 0 ? `Distance, ${isMesh ? 'isolines every' : 'bands of'} ${+step.toPrecision(3)}`
         : 'Distance';
     element('legend-ticks').replaceChildren(...[0, 0.25, 0.5, 0.75, 1].map((fraction) => {
       const tick = document.createElement('span');

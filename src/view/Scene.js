@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, ColorManagement, DoubleSide, LinearSRGBColorSpace,
-  Mesh, PerspectiveCamera, Points, Raycaster, Scene as ThreeScene, ShaderMaterial, Spherical, Triangle,
-  Vector2,
+  Mesh, PerspectiveCamera, Points, Raycaster, Scene as ThreeScene, ShaderMaterial, Spherical,
+  Triangle, Vector2,
   Vector3, WebGLRenderer,
 } from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
@@ -47,8 +47,8 @@ function segments(points, ends) {
 }
 
 // Draws a surface and the results of queries on it, and finds locations under the pointer.
-// Coordinates on the screen are CSS pixels. Points of the surface are moved and scaled to a sphere of
-// radius 1, because single precision would be too coarse far from the origin.
+// Coordinates on the screen are CSS pixels. Points of the surface are moved and scaled to a sphere
+// of radius 1, because single precision would be too coarse far from the origin.
 export class Scene {
   constructor(canvas) {
     this.canvas = canvas;
@@ -257,7 +257,7 @@ export class Scene {
     const corners = this.corners(hit.faceIndex);
     const triangle = new Triangle(...corners.map((i) => this.position(i)));
     const weights = triangle.getBarycoord(hit.point, new Vector3());
-    if (!weights) return {vertex: corners[0], point: this.position(corners[0]), normal: hit.face.normal};
+    if (!weights) return this.atVertex(corners[0]);
     const positive = weights.toArray().map((weight) => Math.max(0, weight));
     const sum = positive[0] + positive[1] + positive[2];
     return {face: hit.faceIndex, weights: positive.map((weight) => weight / sum), point: hit.point,
@@ -266,7 +266,7 @@ export class Scene {
 
   // Returns the surfel closest to the camera among those whose disks the ray meets.
   pickSurfel(ray) {
-    const positions = this.surface.geometry.attributes.position.array;
+    const positions = this.attributes.position.array;
     const {origin: o, direction: d} = ray;
     let best = -1, bestDepth = Infinity, found = null;
     for (let i = 0; i < positions.length; i += 3) {
@@ -284,15 +284,16 @@ export class Scene {
     return found;
   }
 
+  get attributes() { return this.surface.geometry.attributes; }
   vector(coordinates) { return new Vector3(...coordinates); }
   corners(face) { return [0, 1, 2].map((k) => this.triangles[3 * face + k]); }
   position(vertex) {
-    return new Vector3().fromBufferAttribute(this.surface.geometry.attributes.position, vertex);
+    return new Vector3().fromBufferAttribute(this.attributes.position, vertex);
   }
   // Returns the location of a vertex.
   atVertex(vertex) {
     return {vertex, point: this.position(vertex),
-            normal: new Vector3().fromBufferAttribute(this.surface.geometry.attributes.normal, vertex)};
+            normal: new Vector3().fromBufferAttribute(this.attributes.normal, vertex)};
   }
   // Returns the vertex nearest to a location.
   snap(place) {
@@ -332,7 +333,7 @@ export class Scene {
 
   // Shows values at vertices, and isolines at the multiples of `step` unless it is zero.
   showValues(values, max, step) {
-    const attribute = this.surface.geometry.attributes.value;
+    const attribute = this.attributes.value;
     for (let i = 0; i < values.length; ++i)
       attribute.array[i] = values[i] < Infinity ? values[i] / this.scale : -1e9;
     attribute.needsUpdate = true;
@@ -405,7 +406,7 @@ export class Scene {
 
   // Colors each vertex by a function of its number.
   showTints(colorOfVertex) {
-    const attribute = this.surface.geometry.attributes.tint;
+    const attribute = this.attributes.tint;
     for (let i = 0; i < attribute.count; ++i)
       attribute.array.set(colorOfVertex(i).map((x) => 255 * x), 3 * i);
     attribute.needsUpdate = true;
@@ -417,8 +418,9 @@ export class Scene {
   showDecal(placed, {texture, pixels}) {
     if (!this.isMesh) return this.showCloudDecal(placed, pixels);
     const {faces, cornerUv} = placed;
-    const source = this.surface.geometry.attributes;
-    const position = new Float32Array(9 * faces.length), normal = new Float32Array(9 * faces.length);
+    const source = this.attributes;
+    const position = new Float32Array(9 * faces.length);
+    const normal = new Float32Array(9 * faces.length);
     for (let i = 0; i < faces.length; ++i)
       for (let k = 0; k < 3; ++k) {
         const vertex = 3 * this.triangles[3 * faces[i] + k], to = 9 * i + 3 * k;

@@ -84,8 +84,8 @@ export class Viewer {
       this.panel.showModel(title, surface.points.length / 3, surface.triangles.length / 3);
       document.querySelector('#method option[value="exact"]').disabled = !surface.isMesh;
       const size = surface.points.length / 3;
-      this.panel.showResult(surface.isMesh ? plural(size, 'vertex', 'vertices') : plural(size, 'point'),
-                            surface.isRepaired ? 'The surface was repaired.' : '');
+      this.panel.showResult(surface.isMesh ? plural(size, 'vertex', 'vertices')
+        : plural(size, 'point'), surface.isRepaired ? 'The surface was repaired.' : '');
       this.update();
     } finally {
       this.panel.setBusy(false);
@@ -134,8 +134,8 @@ export class Viewer {
 
   // ---- States
 
-  // Changes the state by a function. `isMoving` is true while a point or a slider moves, and `record`
-  // is false after the first change of a movement: undo skips the states between.
+  // Changes the state by a function. `isMoving` is true while a point or a slider moves, and
+  // `record` is false after the first change of a movement: undo skips the states between.
   change(edit, {isMoving = false, record = true} = {}) {
     if (record) {
       this.history.push(structuredClone(this.state));
@@ -172,8 +172,9 @@ export class Viewer {
   // Adds a point, as a click does. `isFurther` adds a source to the others.
   addPlace(place, isFurther = false) {
     this.change((state) => {
-      if (state.tool === 'distance') state.sources = isFurther ? [...state.sources, place] : [place];
-      if (state.tool === 'path') state.ends = state.ends.length < 2 ? [...state.ends, place] : [place];
+      const {tool, sources, ends} = state;
+      if (tool === 'distance') state.sources = isFurther ? [...sources, place] : [place];
+      if (tool === 'path') state.ends = ends.length < 2 ? [...ends, place] : [place];
       if (state.tool === 'cells') state.seeds = [...state.seeds, place];
       if (state.tool === 'decal') {
         state.decal.center = place;
@@ -335,7 +336,8 @@ export class Viewer {
   }
 
   async answerCells(engine, state, speed, isCurrent) {
-    const {result, seconds} = await engine.ask('voronoi', state.seeds.map(toQuery), Engine.deadline);
+    const {result, seconds} =
+      await engine.ask('voronoi', state.seeds.map(toQuery), Engine.deadline);
     if (!isCurrent()) return;
     this.showCells(result);
     this.panel.showResult(plural(state.seeds.length, 'cell'), `Voronoi diagram, ${time(seconds)}`);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// node compose.mjs BUILD VERSION: writes BUILD/viewer.html from the files of this folder, the compiled
-// kernels BUILD/view.js and BUILD/view.wasm, and the packages in BUILD/node_modules.
+// node compose.mjs BUILD VERSION: writes BUILD/viewer.html from the files of this folder, the
+// compiled kernels BUILD/view.js and BUILD/view.wasm, and the packages in BUILD/node_modules.
 import {readFile, writeFile} from 'node:fs/promises';
 import {createRequire} from 'node:module';
 import {dirname, join, resolve} from 'node:path';
@@ -29,8 +29,10 @@ const escape = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 
 // Returns the licenses of the packages that the scripts contain.
 async function licenses() {
-  const texts = await Promise.all(['three', 'three-mesh-bvh'].map(async (name) =>
-    `<pre>${name}\n\n${escape(await readFile(join(build, 'node_modules', name, 'LICENSE'), 'utf8'))}</pre>`));
+  const texts = await Promise.all(['three', 'three-mesh-bvh'].map(async (name) => {
+    const text = await readFile(join(build, 'node_modules', name, 'LICENSE'), 'utf8');
+    return `<pre>${name}\n\n${escape(text)}</pre>`;
+  }));
   return texts.join('');
 }
 

@@ -176,7 +176,8 @@ function baseName({title, state}) {
 
 function connectActions(viewer) {
   for (const button of document.querySelectorAll('[data-action]'))
-    button.addEventListener('click', () => run(viewer, () => actions[button.dataset.action](viewer)));
+    button.addEventListener('click',
+                            () => run(viewer, () => actions[button.dataset.action](viewer)));
 }
 
 function connectKeys(viewer) {
@@ -213,7 +214,8 @@ function connectFiles(viewer) {
     }
     const read = await readFiles(files);
     // A glTF file refers to the others.
-    read.sort((a, b) => b.name.toLowerCase().endsWith('.gltf') - a.name.toLowerCase().endsWith('.gltf'));
+    const isGltf = ({name}) => name.toLowerCase().endsWith('.gltf');
+    read.sort((a, b) => isGltf(b) - isGltf(a));
     await viewer.open(read);
   });
   for (const id of ['file', 'image-file'])

@@ -91,5 +91,5 @@ export function plyFile({points, triangles}, name, values) {
 
 // Returns the values as text, one line each, as the program writes them.
 export function valuesText(values) {
-  return Array.from(values, (value) => value === Infinity ? 'inf' : String(value)).join('\n') + '\n';
+  return Array.from(values, (value) => (value === Infinity ? 'inf' : value) + '\n').join('');
 }

@@ -19,8 +19,8 @@ export async function readImage(file) {
   return canvas;
 }
 
-// Returns a canvas with the image that decals have until the user chooses another one: a checkerboard
-// with rings, on which distortion is easy to see, and an arrow that points up.
+// Returns a canvas with the image that decals have until the user chooses another one: a
+// checkerboard with rings, on which distortion is easy to see, and an arrow that points up.
 export function defaultImage() {
   const size = 512, cells = 8, cell = size / cells;
   const canvas = document.createElement('canvas');

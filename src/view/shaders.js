@@ -4,8 +4,8 @@ import {surfaceColor, unreachedColor, viridis} from './colors.js';
 
 const vec3 = (color) => `vec3(${color.map((x) => x.toFixed(3)).join(', ')})`;
 
-// Returns a statement that moves a vertex towards the camera by a fraction of its distance, without a
-// change of its position on the screen.
+// Returns a statement that moves a vertex towards the camera by a fraction of its distance, without
+// a change of its position on the screen.
 export const towardsCamera = (fraction) =>
   `gl_Position.z += ${fraction} * projectionMatrix[3][2];`;
 

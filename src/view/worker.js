@@ -8,8 +8,8 @@ import {decompressSync} from 'three/examples/jsm/libs/fflate.module.js';
 
 let kernels = null;
 
-// Decompresses data in the zlib or gzip format inside of a file. Returns null if they are invalid or
-// expand too much.
+// Decompresses data in the zlib or gzip format inside of a file. Returns null if they are invalid
+// or expand too much.
 function inflate(bytes, maxSize) {
   try {
     const result = decompressSync(bytes);

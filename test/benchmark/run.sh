@@ -32,7 +32,7 @@ done
   programs=(accuracy error_distribution speed inputs soups isolines exact sampling remeshing
             cloud_errors surfels surfel_scans logmap distortion decal flattening base wavelets
             transport transport_bounds transport_family transport_claims transport_times regions
-            flows barycenters means volumes)
+            flows barycenters means volumes viewer_queries)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \

@@ -1,14 +1,16 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// viewer_queries MODEL: measures the processor time of the queries of the interactive viewer, compiled for
-// this processor. test/view/speed.mjs measures the same queries, compiled to WebAssembly.
+// viewer_queries [MODEL]: measures the processor time of the queries of the interactive viewer,
+// compiled for this processor. test/view/speed.mjs measures the same queries, compiled to
+// WebAssembly.
 #include "view/Queries.h"
 
 #include "report.h"
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -86,10 +88,10 @@ void run(const std::string& filename)
 
 int main(int argc, char* argv[])
 {
-  if(argc != 2)
-  {
-    std::fprintf(stderr, "usage: viewer_queries MODEL\n");
-    return 1;
-  }
-  run(argv[1]);
+  const bool is_default = argc == 1 || argv[1][0] == '-'; // an option of all benchmarks
+  const std::string model = is_default ? GEODESIC_PROCESSING_DATA "/meshes/bunny_37k.ply" : argv[1];
+  if(is_default && !std::filesystem::exists(model))
+    std::printf("%s does not exist.\n", model.c_str());
+  else
+    run(model);
 }

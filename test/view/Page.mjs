@@ -39,8 +39,8 @@ export function write(name, content) {
   return file;
 }
 
-// Runs the native program with one thread. Returns its JSON, and the numbers of --values if `values`
-// is given.
+// Runs the native program with one thread. Returns its JSON, and the numbers of --values if
+// `values` is given.
 export function native(command, model, options, values = false) {
   const output = join(folder, 'values.txt');
   const json = execFileSync(program, [command, model, ...options, '--json', '--threads', '1',
@@ -55,7 +55,7 @@ export function native(command, model, options, values = false) {
 // Writes the page of a model by the program. Returns its file.
 export function page(model) {
   const file = model + '.html';
-  native('view', model, [...(process.env.PAGE ? ['--page', process.env.PAGE] : []), '-o', file]);
+  native('view', model, ['-o', file]);
   return file;
 }
 
@@ -72,7 +72,8 @@ export class Page {
     });
     page.tab.on('pageerror', (error) => page.errors.push(error.message));
     page.tab.on('request', (request) => {
-      if (!/^(file|data|blob):/.test(request.url())) page.errors.push(`request of ${request.url()}`);
+      if (!/^(file|data|blob):/.test(request.url()))
+        page.errors.push(`request of ${request.url()}`);
     });
     await page.tab.goto('file://' + file);
     await page.tab.waitForFunction(() => document.documentElement.dataset.ready);
@@ -114,7 +115,8 @@ export class Page {
     }, vertex);
   }
 
-  // Returns vertices whose pixels are visible and not close to a silhouette, spread over the surface.
+  // Returns vertices whose pixels are visible and not close to a silhouette, spread over the
+  // surface.
   visibleVertices(count) {
     return this.run((count) => {
       const {scene} = geodesicViewer, size = scene.points.length / 3, result = [];
@@ -156,8 +158,9 @@ export class Page {
       transfer.items.add(new File([new Uint8Array(bytes)], name, {type}));
       dispatchEvent(new DragEvent('drop', {dataTransfer: transfer, cancelable: true}));
     }, {name, bytes: Array.from(typeof bytes === 'string' ? Buffer.from(bytes) : bytes), type});
-    await this.tab.waitForFunction((name) => !document.getElementById('message').hidden ||
-      geodesicViewer.title === name || geodesicViewer.imageName === name, name.replace(/\.gz$/, ''));
+    const title = name.replace(/\.gz$/, '');
+    await this.tab.waitForFunction((title) => !document.getElementById('message').hidden ||
+      geodesicViewer.title === title || geodesicViewer.imageName === title, title);
     await this.settle();
   }
 

@@ -3,8 +3,8 @@
 //
 // Models of 5,000 vertices, and a deterministic generator of random numbers.
 
-// Returns a function that returns uniform numbers in [0, 1): a linear congruential generator with the
-// constants of Numerical Recipes.
+// Returns a function that returns uniform numbers in [0, 1): a linear congruential generator with
+// the constants of Numerical Recipes.
 export function generator(seed) {
   let state = seed >>> 0;
   return () => {
@@ -24,7 +24,8 @@ function point(i, j) {
 }
 
 function points() {
-  return Array.from({length: columns * rows}, (_, k) => point(k % columns, Math.floor(k / columns)));
+  return Array.from({length: columns * rows},
+                    (_, k) => point(k % columns, Math.floor(k / columns)));
 }
 
 // Returns an OFF file of the torus.

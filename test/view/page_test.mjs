@@ -263,7 +263,8 @@ test('compressed_files_are_read', () => withPage(cloudPage, {}, async (open) => 
     'Encoding="GZipBase64Binary" Endian="LittleEndian" ExternalFileName="" ' +
     `ExternalFileOffset=""><Data>${deflateSync(Buffer.from(bytes.buffer)).toString('base64')}` +
     '</Data></DataArray>';
-  await open.drop('square.gii', '<?xml version="1.0"?><GIFTI Version="1.0" NumberOfDataArrays="2">' +
+  await open.drop('square.gii', '<?xml version="1.0"?>' +
+    '<GIFTI Version="1.0" NumberOfDataArrays="2">' +
     array('NIFTI_INTENT_POINTSET', 'NIFTI_TYPE_FLOAT32', [4, 3],
           Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0)) +
     array('NIFTI_INTENT_TRIANGLE', 'NIFTI_TYPE_INT32', [2, 3], Int32Array.of(0, 1, 2, 0, 2, 3)) +

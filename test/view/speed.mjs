@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// node speed.mjs BUILD MODEL: measures the processor time of the queries of the compiled page in the
-// folder BUILD, without the page. test/benchmark/viewer_queries.cpp measures the same queries of the native
-// library.
+// node speed.mjs BUILD MODEL: measures the processor time of the queries of the compiled page in
+// the folder BUILD, without the page. test/benchmark/viewer_queries.cpp measures the same queries
+// of the native library.
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {basename, join, resolve} from 'node:path';
