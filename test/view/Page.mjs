@@ -15,6 +15,9 @@ const viewerFolder = resolve(process.env.GEODESIC_VIEWER);
 const program = resolve(process.env.GEODESIC_PROCESSING_PROGRAM);
 const {chromium} = createRequire(join(viewerFolder, 'package.json'))('playwright-core');
 
+// In milliseconds. A page opens in a second; on a busy machine it takes fifty times as long.
+const timeout = 180000;
+
 export const folder = mkdtempSync(join(tmpdir(), 'viewer-'));
 
 let browser = null;
@@ -67,6 +70,7 @@ export class Page {
     const page = new Page();
     page.errors = [];
     page.tab = await context.newPage();
+    page.tab.setDefaultTimeout(timeout);
     page.tab.on('console', (message) => {
       if (message.type() === 'error') page.errors.push(message.text());
     });
