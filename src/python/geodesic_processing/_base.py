@@ -4,8 +4,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeVar
+import hashlib
+import pickle
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from ._content import Content
 from ._core import Cloud, Mesh, UnsupportedSurfaceError
 from ._types import Floats
 
@@ -19,12 +23,39 @@ class Base:
     """A surface of the extension. The functions of a topic are in a subclass."""
 
     _core: Mesh | Cloud
+    _make_content: Callable[[], Content] | None = None
+    _hash: str | None = None
 
     @classmethod
-    def _of(cls: type[_Surface], core: Mesh | Cloud) -> _Surface:
+    def _of(
+        cls: type[_Surface], core: Mesh | Cloud, content: Callable[[], Content] | None = None
+    ) -> _Surface:
+        """Returns a surface. By default, it is a mesh that was constructed without repairs."""
         result = cls.__new__(cls)
         result._core = core
+        result._make_content = content
         return result
+
+    def _construct(self, content: Content, callback: Any = None) -> None:
+        """Constructs the surface, and keeps copies of the arrays for ``pickle``."""
+        self._core = content.core(callback)
+        copy = content.copy()
+        self._make_content = lambda: copy
+
+    def _content(self) -> Content:
+        if self._make_content is not None:
+            return self._make_content()
+        return Content("make_mesh", (self.vertices, self._mesh("pickle").faces(), None, None, False))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _of_content, (type(self), self._content())
+
+    @property
+    def content_hash(self) -> str:
+        """A hash of all that determines the surface: arrays and options, or the bytes of a file."""
+        if self._hash is None:
+            self._hash = hashlib.blake2b(pickle.dumps(self), digest_size=16).hexdigest()
+        return self._hash
 
     @property
     def is_cloud(self) -> bool:
@@ -55,3 +86,7 @@ class Base:
         if isinstance(self._core, Cloud):
             raise UnsupportedSurfaceError(f"A cloud has no faces; {name} needs a mesh.")
         return self._core
+
+
+def _of_content(cls: type[_Surface], content: Content) -> _Surface:
+    return cls._of(content.core(), lambda: content)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from concurrent.futures import Executor
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,6 +15,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _core
 from ._base import Base
 from ._core import InvalidArgumentError
+from ._executors import distribute
+from ._matrix import Matrix, write_matrix
 from ._types import (
     Callback,
     Floats,
@@ -183,6 +186,7 @@ class Distances(Base):
         self,
         pairs: Iterable[tuple[OneLocation, OneLocation]] | NDArray[np.integer[Any]],
         *,
+        executor: Executor | None = None,
         callback: Callback | None = None,
     ) -> list[Path | SurfelPath]:
         """Computes a path for each pair of locations.
@@ -191,11 +195,16 @@ class Distances(Base):
         ----------
         pairs
             Pairs of locations, or an array of vertices of the shape (k, 2).
+        executor
+            Its workers compute the paths, as for ``distance_matrix()``. If it fails, no path is
+            returned.
         callback
             A function that takes the completed fraction.
         """
         if isinstance(pairs, np.ndarray) and pairs.ndim == 0:  # it has __iter__, which fails
             raise InvalidArgumentError("pairs are not a list of pairs of vertices or locations.")
+        if executor is not None:
+            return _distributed_paths(self, executor, pairs, callback)
         return [self._path(path) for path in self._core.paths(pairs, callback)]
 
     def locate(self, points: ArrayLike) -> Locations:
@@ -223,11 +232,13 @@ class Distances(Base):
         regions: ArrayLike | None = None,
         reduce: str = "min",
         dtype: DTypeLike = "f8",
-        out: NDArray[Any] | None = None,
+        out: Any = None,
         method: str = "auto",
         threads: int | None = None,
+        executor: Executor | None = None,
+        rows_per_tile: int | None = None,
         callback: Callback | None = None,
-    ) -> NDArray[Any]:
+    ) -> Any:
         """Computes the distance from each source to each target.
 
         Parameters
@@ -253,14 +264,23 @@ class Distances(Base):
             The type of a new array: float64 or float32.
         out
             A writable array of float64 or float32 in C order, for example a ``numpy.memmap``, that
-            receives the result.
+            receives the result; or an array of Zarr, which is written in tiles.
         method
             As for ``solver()``.
         threads
-            The number of threads. By default, that of the hardware. Results do not depend on it.
+            The number of threads, of each worker if there is an executor. By default, that of the
+            hardware, or 1 for a worker. Results do not depend on it.
+        executor
+            Any ``concurrent.futures.Executor``, for example a ``ProcessPoolExecutor``, the executor
+            of a Dask client, or an ``MPIPoolExecutor``. Its workers compute tiles of rows, which
+            this thread writes. A worker receives the surface once, and keeps the last 4 surfaces.
+            Results do not depend on it.
+        rows_per_tile
+            The number of rows of a tile. By default, there are about 256 tiles, of at most 64 MB. An
+            array of Zarr has whole chunks in a tile.
         callback
-            A function that takes the completed fraction of the rows. If it or Ctrl-C cancels the
-            computation, some rows of ``out`` are written.
+            A function that takes the completed fraction of the rows; with tiles, that of the missing
+            rows. If it or Ctrl-C cancels the computation, some rows of ``out`` are written.
 
         Returns
         -------
@@ -268,10 +288,21 @@ class Distances(Base):
         this array. An entry is equal to that of ``distance()``, to the last bit, if neither regions
         nor approximate methods are used.
 
+        If a computation in tiles is interrupted, for example because a process was killed, finished
+        tiles remain in ``out``. The same call with the same ``out`` only computes missing tiles. A
+        record has a hash of each finished tile. It is in the file ``NAME.KEY.tiles`` of a
+        ``numpy.memmap``, in the attribute ``geodesic_processing_tiles`` of an array of Zarr, and
+        otherwise in the memory of this process. It is removed when the matrix is complete.
+
         Takes one distance computation for each row; for ``"mean"``, one for each vertex in a region.
         """
         if not isinstance(reduce, str) or reduce not in ("min", "mean"):
             raise InvalidArgumentError("reduce is neither min nor mean.")
+        if executor is not None or not (out is None or isinstance(out, np.ndarray)):
+            if threads is None and executor is not None:
+                threads = 1
+            matrix = Matrix(targets, max_distance, regions, reduce, method, threads, dtype)
+            return write_matrix(executor, self, sources, matrix, out, rows_per_tile, callback)
         return self._core.distance_matrix(
             sources,
             targets,
@@ -325,6 +356,23 @@ class Distances(Base):
 
     def _path(self, arrays: _core._PathArrays) -> Path | SurfelPath:
         return SurfelPath(*_checked(arrays)) if self.is_cloud else Path(*_checked(arrays))
+
+
+def _distributed_paths(
+    surface: Distances, executor: Executor, pairs: Any, callback: Callback | None
+) -> list[Path | SurfelPath]:
+    """Computes paths in about 256 tasks."""
+    pairs = pairs if isinstance(pairs, np.ndarray) else list(pairs)
+    size = -(-len(pairs) // 256) or 1
+    arguments = [(pairs[begin : begin + size],) for begin in range(0, len(pairs) or 1, size)]
+    results: list[list[Path | SurfelPath]] = [[] for _ in arguments]
+    for index, some in distribute(executor, surface, _paths, arguments, callback):
+        results[index] = some
+    return [path for some in results for path in some]
+
+
+def _paths(surface: Distances, pairs: Any) -> list[Path | SurfelPath]:
+    return surface.paths(pairs)
 
 
 def _checked(arrays: _core._PathArrays) -> _core._PathArrays:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._atlas import Atlases
+from ._content import Content, file_content
 from ._core import InvalidArgumentError
 from ._curvature import Curvature
 from ._curves import Curves
@@ -94,6 +95,8 @@ class Surface(
     UnsupportedSurfaceError
         If there are too many points or halfedges, or too few points to estimate normals.
 
+    A surface can be pickled. It keeps copies of its arrays for this purpose.
+
     Takes O(n) time for a mesh and O(n log n) time for a cloud.
     """
 
@@ -113,13 +116,12 @@ class Surface(
                 raise InvalidArgumentError(
                     "merge_tolerance and remove_degenerate_faces need the faces F of a mesh."
                 )
-            self._core = _core.make_cloud(V, normals, radii, callback)
+            self._construct(Content("make_cloud", (V, normals, radii)), callback)
         else:
             if normals is not None or radii is not None:
                 raise InvalidArgumentError("A mesh has faces, but neither normals nor radii.")
-            self._core = _core.make_mesh(
-                V, F, None, merge_tolerance, bool(remove_degenerate_faces), callback
-            )
+            arguments = (V, F, None, merge_tolerance, bool(remove_degenerate_faces))
+            self._construct(Content("make_mesh", arguments), callback)
 
     def _new(self, core: _core.Mesh | _core.Cloud) -> Surface:
         return self._of(core)
@@ -149,9 +151,14 @@ def read(path: str | os.PathLike[str]) -> Surface:
     Formats: PLY, OFF, OBJ, STL, XYZ, PWN, VTP, GLB, glTF, GIFTI and FreeSurfer, also compressed by
     gzip. If a cloud has no normals, they are estimated.
 
+    If the surface is pickled, the file is read again; it must not have changed. A glTF file with
+    other files cannot be pickled.
+
     Raises
     ------
     FileError
         If the file cannot be read. It is a subclass of ``OSError`` and ``ValueError``.
     """
-    return Surface._of(_core.read(os.fspath(path)))
+    name = os.fspath(path)
+    content = file_content(name)
+    return Surface._of(_core.read(name), content)
