@@ -121,13 +121,13 @@ def _output(
     out: Output | None, shape: tuple[int, int], matrix: Matrix
 ) -> tuple[Output, Matrix]:
     """Returns the output, and the matrix with its type. Raises InvalidArgumentError."""
-    wanted = matrix.dtype if out is None else getattr(out, "dtype", None)
     try:
-        dtype = None if wanted is None else np.dtype(wanted)
-    except TypeError:
-        dtype = None
+        # np.dtype(None) is float64.
+        dtype = np.dtype((matrix if out is None else out).dtype or "no type")
+    except (AttributeError, TypeError):
+        dtype = np.dtype(object)
     if dtype not in (np.dtype("f4"), np.dtype("f8")):
-        raise InvalidArgumentError("The numbers of a matrix are of the type float64 or float32.")
+        raise InvalidArgumentError("The numbers of a matrix are not of the type float64 or float32.")
     result = np.empty(shape, dtype) if out is None else out
     if tuple(result.shape) != shape:
         raise InvalidArgumentError(f"out has not the shape {shape} of the matrix.")
