@@ -71,7 +71,8 @@ packages=(g++ cmake ninja-build ccache git lld
   libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev libassimp-dev liblemon-dev libpng-dev
   zlib1g-dev liblz4-dev libvtk9-dev xvfb xauth
   python3-dev pybind11-dev python3-numpy python3-pytest python3-hypothesis python3-meshio
-  python3-scipy python3-vtk9 mypy dpkg-dev
+  python3-scipy python3-vtk9 python3-distributed python3-mpi4py python3-zarr openmpi-bin
+  mypy dpkg-dev
   doxygen texlive-binaries texlive-base libjs-mathjax clang-format-14)
 [ $quick = 1 ] || packages+=(clang-14 libclang-rt-14-dev llvm-14)
 [ $all = 0 ] || packages+=(clang-tidy-14 lintian python3-skbuild python3-venv)

@@ -276,8 +276,9 @@ class Distances(Base):
             this thread writes. A worker receives the surface once, and keeps the last 4 surfaces.
             Results do not depend on it.
         rows_per_tile
-            The number of rows of a tile. By default, there are about 256 tiles, of at most 64 MB. An
-            array of Zarr has whole chunks in a tile.
+            The number of rows of a tile. By default, there are at most 256 tiles, of at most 64 MB.
+            They have at least 4 rows of ``"exact"`` or 64 of other methods, unless there are less
+            than 8 tiles. A tile contains whole chunks of an array of Zarr.
         callback
             A function that takes the completed fraction of the rows; with tiles, that of the missing
             rows. If it or Ctrl-C cancels the computation, some rows of ``out`` are written.

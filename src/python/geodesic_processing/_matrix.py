@@ -20,9 +20,14 @@ from ._types import Callback, Floats, Integers, Locations, Polyline
 if TYPE_CHECKING:
     from ._distances import Distances
 
-# By default, there are about as many tiles. Each costs a message, and none takes so long that workers
-# wait for the last ones.
-_number_of_tiles = 256
+# By default, there are at most as many tiles.
+_max_number_of_tiles = 256
+# A tile prepares the method again. On a cortex of 29,271 vertices, this takes as long as four rows of
+# "euclidean", and a tenth of a row of "exact". So a tile has at least so many rows, unless there are
+# few tiles.
+_min_rows = 64
+_min_exact_rows = 4
+_few_tiles = 8
 # The largest tile in bytes.
 _max_tile_size = 1 << 26
 # The number of rows that are computed at once for a mean.
@@ -74,7 +79,13 @@ def write_matrix(
 
     key = _key(surface, None if sources is None else rows, matrix, result.shape)
     record = Record(result, key, is_kept=out is not None)
-    tiles = record.missing_tiles(_rows_per_tile(executor, result, rows_per_tile))
+    if rows_per_tile is None:
+        is_exact = matrix.method == "exact" or (matrix.method == "auto" and not surface.is_cloud)
+        min_rows = 1 if has_region_rows else _min_exact_rows if is_exact else _min_rows
+        rows_per_tile = _default_rows(result, min_rows)
+    elif not _is_integer(rows_per_tile) or rows_per_tile < 1:
+        raise InvalidArgumentError("rows_per_tile is not a positive integer.")
+    tiles = record.missing_tiles(int(rows_per_tile))
     function = _rows_of_regions if has_region_rows else _rows_of_sources
     arguments = [
         (matrix, range(begin, end) if has_region_rows else rows[begin:end]) for begin, end in tiles
@@ -123,7 +134,7 @@ def _output(
     """Returns the output, and the matrix with its type. Raises InvalidArgumentError."""
     try:
         # np.dtype(None) is float64.
-        dtype = np.dtype((matrix if out is None else out).dtype or "no type")
+        dtype = np.dtype((matrix.dtype if out is None else out.dtype) or "no type")
     except (AttributeError, TypeError):
         dtype = np.dtype(object)
     if dtype not in (np.dtype("f4"), np.dtype("f8")):
@@ -143,17 +154,13 @@ def _key(surface: Distances, sources: Any, matrix: Matrix, shape: tuple[int, ...
     return hashlib.blake2b(surface.content_hash.encode() + arguments, digest_size=8).hexdigest()
 
 
-def _rows_per_tile(executor: Executor | None, out: Output, rows_per_tile: int | None) -> int:
+def _default_rows(out: Output, min_rows: int) -> int:
     """Returns the number of rows of a tile: a multiple of the chunks of a Zarr array."""
-    if rows_per_tile is not None:
-        if not _is_integer(rows_per_tile) or rows_per_tile < 1:
-            raise InvalidArgumentError("rows_per_tile is not a positive integer.")
-        return int(rows_per_tile)
     rows, columns = out.shape
-    wanted = rows if executor is None else -(-rows // _number_of_tiles)
+    wanted = max(min(min_rows, -(-rows // _few_tiles)), -(-rows // _max_number_of_tiles))
     result = max(1, min(wanted, _max_tile_size // (columns * int(out.dtype.itemsize))))
     rows_per_chunk: int = getattr(out, "chunks", (1,))[0]
-    return int(max(1, result // rows_per_chunk) * rows_per_chunk)
+    return max(1, result // rows_per_chunk) * rows_per_chunk
 
 
 def _rows_of_sources(surface: Distances, matrix: Matrix, sources: Any) -> NDArray[Any]:
