@@ -466,9 +466,10 @@ def run_mpi_job(folder, fraction):
     script.write_text(MPI_JOB)
     tests = os.path.dirname(__file__)
     environment = dict(
-        os.environ, PYTHONPATH=os.pathsep.join([tests, *filter(None, sys.path)]), OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-        OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_mpi_yield_when_idle="1",
-        PYTHONDONTWRITEBYTECODE="1",
+        os.environ, PYTHONPATH=os.pathsep.join([tests, *filter(None, sys.path)]),
+        PYTHONDONTWRITEBYTECODE="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+        OMPI_MCA_mpi_yield_when_idle="1",
     )
     command = ["mpiexec", "-n", "3", sys.executable, "-m", "mpi4py.futures", str(script)]
     return subprocess.run(command + [str(folder), str(fraction)], env=environment,

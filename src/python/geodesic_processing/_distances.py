@@ -277,7 +277,7 @@ class Distances(Base):
             Results do not depend on it.
         rows_per_tile
             The number of rows of a tile. By default, there are at most 256 tiles, of at most 64 MB.
-            They have at least 4 rows of ``"exact"`` or 64 of other methods, unless there are less
+            They have at least 4 rows of ``"exact"`` or 64 of other methods, unless there are fewer
             than 8 tiles. A tile contains whole chunks of an array of Zarr.
         callback
             A function that takes the completed fraction of the rows; with tiles, that of the missing
