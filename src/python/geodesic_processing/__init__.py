@@ -33,8 +33,8 @@ from ._curves import Isoline, Loop, PolylinePath, SplitMesh
 from ._decals import Decal, DecalTexture
 from ._distances import Path, Solver, SparseMatrix, SurfelPath
 from ._distortion import DistortionMinimum, FaceDistortion, SurfaceDistortion
-from ._features import FeatureDistance
 from ._executors import map as map  # not in __all__, which would hide the function of Python
+from ._features import FeatureDistance
 from ._flattening import BaseFlattening, Flattening, FlatteningDistortion
 from ._fuzzy import FuzzyGeodesic
 from ._maps import Frame, KarcherMean, LogMap, StraightestGeodesic

@@ -206,12 +206,12 @@ def read_mesh(filename: str | os.PathLike[str]) -> tuple[Floats, Integers]:
         or report.number_of_reversed_triangles > 0
     ):
         raise not_covered("read_mesh() of faces that are not an oriented triangle mesh")
-    return surface.points(), surface.faces
+    return surface.vertices, surface.faces
 
 
 def read_point_cloud(filename: str | os.PathLike[str]) -> Floats:
     """Reads points, shape (n, 3). The formats are those of ``read()``; faces are ignored."""
-    return read(filename).points()
+    return read(filename).vertices
 
 
 def write_mesh(
@@ -419,7 +419,7 @@ class PointCloudHeatSolver:
         n = self._surface.number_of_points
         # The point with a unit offset along an axis of the tangent plane.
         tips = self._surface.points(Locations(np.arange(n), np.tile(np.eye(2)[axis], (n, 1))))
-        return _normalized(tips - self._surface.points())
+        return _normalized(tips - self._surface.vertices)
 
 
 class MeshVectorHeatSolver:
