@@ -17,18 +17,17 @@ from ._curvature import Curvature
 from ._curves import Curves
 from ._decals import Decals
 from ._distances import Distances
+from ._distortion import Distortion
+from ._features import Features
 from ._flattening import Flattenings
 from ._fuzzy import FuzzyGeodesics
 from ._maps import Maps
 from ._measures import Measures
-from ._distortion import Distortion
-from ._features import Features
 from ._remeshing import Remeshing
 from ._sampling import Sampling
 from ._transport import Transports
-from ._types import Integers
-from ._volumes import Volumes
 from ._types import Callback, Integers
+from ._volumes import Volumes
 
 
 class SoupReport(NamedTuple):
