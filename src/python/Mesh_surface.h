@@ -14,8 +14,8 @@ namespace python {
 using Mesh_surface = Surface<Mesh_domain>;
 using Mesh_class = py::class_<Mesh_surface, std::shared_ptr<Mesh_surface>>;
 
-// Returns the surface of a mesh without removed elements. Its points and faces keep their order.
-// Polygons are triangulated.
+// Returns the surface of a mesh without removed elements. Its points and faces keep their order. A
+// face begins with the target of its halfedge. Polygons are triangulated.
 std::shared_ptr<Mesh_surface> surface_of_mesh(const Mesh& mesh);
 // Returns the surface of these points and triangles.
 std::shared_ptr<Mesh_surface>

@@ -181,12 +181,7 @@ std::shared_ptr<Mesh_surface> surface_of_mesh(const Mesh& mesh)
 {
   const auto point_of = [&](std::size_t i) { return mesh.point(Mesh::Vertex_index(i)); };
   const auto polygon_of = [&](std::size_t f)
-  {
-    std::vector<std::size_t> result;
-    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(Mesh::Face_index(f)), mesh))
-      result.push_back(mesh.source(h));
-    return result;
-  };
+  { return mesh.vertices_around_face(mesh.halfedge(Mesh::Face_index(f))); };
   return make_surface(mesh.number_of_vertices(), point_of, mesh.number_of_faces(), polygon_of,
                       std::nullopt, false, nullptr);
 }

@@ -47,9 +47,8 @@ def test_directions_are_orthonormal_and_tangent(sphere):
     assert np.abs(np.linalg.norm(a, axis=1) - 1).max() <= 1e-12
     assert np.abs(np.linalg.norm(b, axis=1) - 1).max() <= 1e-12
     assert np.abs((a * b).sum(axis=1)).max() <= 1e-12
-    # Normals differ from those of the sphere by less than the distance of neighbors per radius.
-    spacing = RADIUS * np.sqrt(4 * np.pi / sphere.number_of_points)
-    assert np.abs((a * sphere.vertices).sum(axis=1)).max() <= spacing
+    # The normal is that of an average over a ball, in which normals differ by at most 0.8 / RADIUS.
+    assert np.abs((a * sphere.vertices).sum(axis=1)).max() <= 0.8
 
 
 def test_directions_of_cylinder(cylinder):

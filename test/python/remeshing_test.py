@@ -138,6 +138,12 @@ def disk_arrays():
     return V, F[~np.isin(F, [0, 1, 2]).any(axis=1)]
 
 
+def from_least(faces):
+    """Returns the same triangles, each beginning with its least corner."""
+    first = np.argmin(faces, axis=1)[:, None]
+    return np.take_along_axis(faces, (first + np.arange(3)) % 3, axis=1)
+
+
 @pytest.mark.parametrize("method", ["minimal-dihedral-angles", "unfolding"])
 def test_holes_are_filled(method):
     V, F = disk_arrays()
@@ -146,7 +152,7 @@ def test_holes_are_filled(method):
     assert result[2:5] == (3, 3, 0)
     assert result.number_of_unfolded == (3 if method == "unfolding" else 0)
     assert np.array_equal(result.surface.vertices, V)
-    assert np.array_equal(result.surface.faces[: len(F)], surface.faces)
+    assert np.array_equal(from_least(result.surface.faces[: len(F)]), from_least(surface.faces))
     # The vertices 0, 1 and 2 had four neighbors: each hole is a quadrilateral.
     assert np.array_equal(result.new_faces, np.arange(len(F), len(F) + 3 * 2))
     assert topology(result.surface) == (1, 0, 0)
@@ -159,7 +165,7 @@ def test_bounds_keep_holes_open():
         result = surface.fill_holes(**bounds)
         assert (result.number_of_holes, result.number_of_filled) == (3, 0)
         assert len(result.new_faces) == 0
-        assert np.array_equal(result.surface.faces, surface.faces)
+        assert np.array_equal(from_least(result.surface.faces), from_least(surface.faces))
 
 
 def test_base_mesh_divides_surface(torus):
