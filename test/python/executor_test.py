@@ -473,7 +473,7 @@ def run_mpi_job(folder, fraction):
     )
     command = ["mpiexec", "-n", "3", sys.executable, "-m", "mpi4py.futures", str(script)]
     return subprocess.run(command + [str(folder), str(fraction)], env=environment,
-                          capture_output=True, text=True, timeout=100)
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=200)
 
 
 def test_second_mpi_job_completes_after_killed_job(expected, tmp_path):
