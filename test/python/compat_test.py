@@ -630,7 +630,7 @@ def test_xatlas_exports_obj(tmp_path, has_uvs, has_normals):
     path = tmp_path / "mesh.obj"
     xatlas.export(path, V, F, V[:, :2] if has_uvs else None, V if has_normals else None)
     surface = gp.read(path)
-    assert np.array_equal(surface.points(), V) and np.array_equal(surface.faces, F)
+    assert np.array_equal(surface.vertices, V) and np.array_equal(surface.faces, F)
     words = [line.split()[0] for line in path.read_text().splitlines()]
     counts = [words.count(word) for word in ("v", "vt", "vn", "f")]
     assert counts == [len(V), has_uvs * len(V), has_normals * len(V), len(F)]

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the examples of the manual and checks their results by closed forms and identities."""
 
+import os
 import re
 import runpy
 import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -27,10 +27,7 @@ def run(tmp_path, monkeypatch, capsys):
     def run_example(name, *arguments):
         monkeypatch.chdir(tmp_path)
         monkeypatch.setattr(sys, "argv", [name, *map(str, arguments)])
-        start = time.process_time()
         variables = runpy.run_path(str(FOLDER / f"{name}.py"))
-        # All threads together take at most 0.5 s. A sanitizer or a slow machine takes longer.
-        assert time.process_time() - start < 2
         return SimpleNamespace(**variables, output=capsys.readouterr().out)
 
     return run_example
@@ -57,7 +54,8 @@ def test_example_is_short_and_has_a_test(name):
 
 
 def test_chapter_has_all_functions_and_examples():
-    chapter = (FOLDER.parents[1] / "manual" / "python.txt").read_text()
+    manual = FOLDER.parents[1] / "manual"
+    chapter = "".join((manual / name).read_text() for name in ("python.txt", "clusters.txt"))
     for name in NAMES:
         assert f"\\include python/{name}.py" in chapter
     for name in dir(gp.Surface):
@@ -250,6 +248,29 @@ def test_density_barycenter(run):
     assert np.array_equal(np.loadtxt("barycenter.txt"), result.density)
 
 
+def test_cortex_parcels(tmp_path):
+    # Its processes import it, so that it is run as a program.
+    environment = dict(os.environ, PYTHONPATH=os.pathsep.join(filter(None, sys.path)))
+    script = FOLDER / "cortex_parcels.py"
+    subprocess.run([sys.executable, script], check=True, cwd=tmp_path, env=environment)
+    distances = np.load(tmp_path / "distances.npy")
+    assert distances.dtype == np.float32 and distances.shape == (17 * 16, 17 * 16)
+    minima, means = (np.loadtxt(tmp_path / name) for name in ("minima.txt", "means.txt"))
+    parcels = np.arange(17 * 16) // 16 // 4  # the last one is one ring of vertices
+    assert minima.shape == means.shape == (5, 5)
+    for a in range(5):
+        for b in range(5):
+            block = distances[np.ix_(parcels == a, parcels == b)]
+            # Numbers of 32 bits.
+            assert means[a, b] == pytest.approx(block.mean(), rel=1e-6)
+            # A front from several sources has other errors than fronts from each of them.
+            assert minima[a, b] == pytest.approx(block.min(), abs=0.02)
+    # Half of the torus is left. The shortest path between its ends consists of 16 chords of the inner
+    # circle, which has the radius 2. The numbers have 32 bits.
+    length = 16 * 2 * 2 * np.sin(np.pi / 32)
+    assert distances[:16, -16:].min() == pytest.approx(length, rel=1e-6)
+
+
 ARGUMENTS = {
     "distances_on_scan": [0, 0, 1],
     "path_between_points": [0, 0, 0, 1, 1, 0],
@@ -263,7 +284,7 @@ ARGUMENTS = {
 }
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [name for name in NAMES if name != "cortex_parcels"])
 def test_example_reads_a_file(run, tmp_path, name):
     V, F = sphere_arrays(4) if name in ("pooling_levels", "distances_on_scan") else grid_arrays(9)
     lines = [f"OFF\n{len(V)} {len(F)} 0", *("{} {} {}".format(*p) for p in V)]

@@ -498,28 +498,6 @@ def test_second_mpi_job_completes_after_killed_job(expected, tmp_path):
 EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "..", "doc", "examples")
 
 
-def test_cortex_parcels(tmp_path):
-    script = os.path.abspath(os.path.join(EXAMPLES, "python", "cortex_parcels.py"))
-    environment = dict(os.environ, PYTHONPATH=os.pathsep.join(filter(None, sys.path)))
-    subprocess.run([sys.executable, script], check=True, cwd=tmp_path, env=environment)
-    distances = np.load(tmp_path / "distances.npy")
-    assert distances.dtype == np.float32 and distances.shape == (17 * 16, 17 * 16)
-    minima, means = (np.loadtxt(tmp_path / name) for name in ("minima.txt", "means.txt"))
-    parcels = np.arange(17 * 16) // 16 // 4  # the last one is one ring of vertices
-    assert minima.shape == means.shape == (5, 5)
-    for a in range(5):
-        for b in range(5):
-            block = distances[np.ix_(parcels == a, parcels == b)]
-            # Numbers of 32 bits.
-            assert means[a, b] == pytest.approx(block.mean(), rel=1e-6)
-            # A front from several sources has other errors than fronts from each of them.
-            assert minima[a, b] == pytest.approx(block.min(), abs=0.02)
-    # Half of the torus is left. The shortest path between its ends consists of 16 chords of the inner
-    # circle, which has the radius 2. The numbers have 32 bits.
-    length = 16 * 2 * 2 * np.sin(np.pi / 32)
-    assert distances[:16, -16:].min() == pytest.approx(length, rel=1e-6)
-
-
 @pytest.mark.skipif(not PROGRAM, reason="GEODESIC_PROCESSING_PROGRAM is not set")
 def test_parts_of_an_array_job_are_merged(tmp_path):
     V, F = rough_arrays(12)
