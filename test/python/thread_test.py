@@ -221,7 +221,8 @@ def test_interrupt_ends_a_single_step(large, call):
     with Interrupt(0.3) as interrupt:
         with pytest.raises(KeyboardInterrupt):
             interrupt.start()
-            call(large)
+            while True:  # a fast machine completes a call before the signal
+                call(large)
         assert time.monotonic() - interrupt.time < 0.5
     expected = np.linalg.norm(LARGE[0][1] - LARGE[0][0])
     assert large.distance(0, max_distance=0.01)[1] <= expected
