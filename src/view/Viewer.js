@@ -52,7 +52,7 @@ export class Viewer {
     this.path = null; // {points, length}: the last path
     this.title = '';
     this.revision = 0; // of the state: results of older ones are dropped
-    this.slowRevision = 0; // of the last slow answer
+    this.slowRevision = 0; // of the last slow answer that was shown
     this.running = {}; // promises of the queries that the fast and the slow worker answer
     this.waiting = {}; // whether another query follows them
     this.scene.onResize = () => panel.freeArea();
@@ -278,14 +278,18 @@ export class Viewer {
     const engine = speed === 'fast' ? this.engines.fast : await this.slowEngine();
     const state = structuredClone(this.state);
     const {surface} = this;
-    // A fast answer is shown until a newer one or a slow one is known.
-    const isCurrent = () => surface === this.surface && (speed === 'slow'
-      ? revision === this.revision
-      : state.tool === this.state.tool && this.hasQuery() && this.slowRevision < revision);
+    // Returns whether the answer is shown. Fast answers that arrive after a slow one are not.
+    const isCurrent = () => {
+      if (surface !== this.surface) return false;
+      if (speed === 'fast')
+        return state.tool === this.state.tool && this.hasQuery() && this.slowRevision < revision;
+      if (revision !== this.revision) return false;
+      this.slowRevision = revision;
+      return true;
+    };
     const query = {distance: 'answerDistance', path: 'answerPath', cells: 'answerCells',
                    samples: 'answerSamples', decal: 'answerDecal'}[state.tool];
     await this[query](engine, state, speed, isCurrent);
-    if (speed === 'slow') this.slowRevision = revision;
   }
 
   async answerDistance(engine, state, speed, isCurrent) {
