@@ -45,8 +45,8 @@ std::vector<Surface_location> closed(std::vector<Surface_location> loop)
 class Annulus
 {
 public:
-  // Removes pairs of crossings of the same edge in opposite directions. The loop is not
-  // contractible, so that crossings remain.
+  // Removes pairs of crossings of the same edge in opposite directions. If no crossing remains, the
+  // annulus is empty.
   Annulus(const Surface_arrays& t, const std::vector<Index>& crossed_halfedges) : t(t)
   {
     Strip strip;
@@ -58,10 +58,14 @@ public:
       ++begin;
       --end;
     }
+    if(begin == end)
+      return;
     m_edge = *begin;
     m_strip.triangle = t.twin[m_edge] / 3;
     m_strip.halfedges.assign(begin + 1, end);
   }
+
+  bool is_empty() const { return m_edge == none; }
 
   // Returns a loop in the annulus whose shortening with its first location fixed is the shortest
   // loop in the annulus.
@@ -189,9 +193,13 @@ Locally_shortest_path shorten_noncontractible_loop(const Surface_arrays& t,
   {
     // The loop touches no vertex but its first location.
     Locally_shortest_path next = result;
-    if(result.touched_vertices.empty())
-      next = shorten_closed_geodesic(
-          t, Annulus(t, *crossed_halfedges(t, result.locations)).shortest_loop(), is_geodesic);
+    if(const auto crossed = crossed_halfedges(t, result.locations);
+       crossed && result.touched_vertices.empty())
+    {
+      Annulus annulus(t, *crossed);
+      if(!annulus.is_empty())
+        next = shorten_closed_geodesic(t, annulus.shortest_loop(), is_geodesic);
+    }
     if(!(next.length < result.length) && !is_geodesic)
       next = shorten_closed_geodesic(t, cut_open_at(result.locations, middle(t, result.locations)),
                                      is_geodesic);
