@@ -189,7 +189,8 @@ Locally_shortest_path shorten_noncontractible_loop(const Surface_arrays& t,
 {
   bool is_geodesic;
   Locally_shortest_path result = shorten_closed_geodesic(t, closed(loop), is_geodesic);
-  while(!is_geodesic)
+  // A loop that is only one point cannot be shortened.
+  while(!is_geodesic && result.locations.size() > 2)
   {
     // The loop touches no vertex but its first location.
     Locally_shortest_path next = result;
