@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <vector>
+
 namespace earth_movers_distance_test {
 
 namespace GP = CGAL::Geodesic_processing;
@@ -39,6 +42,30 @@ TEST(earth_movers_distance, accepts_domain)
   const Mesh mesh = mesh_of(square(4));
   EXPECT_EQ(GP::earth_movers_distance(GP::make_domain(mesh), Vertex(0), Vertex(24)).value,
             GP::earth_movers_distance(mesh, Vertex(0), Vertex(24)).value);
+}
+
+// The same distribution in two forms: unit mass at locations, and ten times its masses at vertices.
+TEST(earth_movers_distance, is_zero_between_equal_distributions)
+{
+  Mesh mesh = mesh_of(jittered(icosphere(2), 0.03));
+  const std::array<double, 3> barycentric = {0.1, 0.2, 0.7};
+  std::vector<GP::Location<Mesh>> locations;
+  const auto mass = vertex_map(mesh);
+  for(const Face f : mesh.faces())
+  {
+    if(locations.size() == 30)
+      break;
+    locations.emplace_back(f, barycentric);
+    const auto h = mesh.halfedge(f);
+    mass[mesh.source(h)] += barycentric[0] / 3.;
+    mass[mesh.target(h)] += barycentric[1] / 3.;
+    mass[mesh.target(mesh.next(h))] += barycentric[2] / 3.;
+  }
+  const GP::Earth_movers_cost cost =
+      GP::earth_movers_distance(mesh, locations, mass, GP::parameters::do_normalize(true));
+  EXPECT_EQ(cost.value, 0.);
+  EXPECT_EQ(cost.upper, 0.);
+  EXPECT_TRUE(cost.is_converged);
 }
 
 // Round-off errors of coordinates give triangles on a line a tiny area.

@@ -32,6 +32,10 @@ void add(Mass_distribution& target, double factor, const Mass_distribution& sour
   add(target.density, factor, source.density);
 }
 
+// Two distributions are equal if their difference is at most this fraction of their masses. The
+// round-off errors of sums over a million vertices are smaller.
+constexpr double equality_tolerance = 1e-12;
+
 } // namespace
 
 Vector masses_at_vertices(const Surface_arrays& t, const std::vector<double>& area,
@@ -78,8 +82,7 @@ Mass_distribution difference(const Surface_arrays& triangles, const std::vector<
                              const Mass_distribution& from, const Mass_distribution& to,
                              bool do_normalize)
 {
-  Mass_distribution result;
-  std::array<double, 2> total{}, size{};
+  std::array<double, 2> total{}, size{}, factor = {1., 1.};
   const std::array<const Mass_distribution*, 2> distributions = {&from, &to};
   for(std::size_t i = 0; i < 2; ++i)
   {
@@ -88,23 +91,26 @@ Mass_distribution difference(const Surface_arrays& triangles, const std::vector<
     size[i] = mass.lpNorm<1>();
     if(!std::isfinite(size[i]))
       throw Invalid_argument_error("A mass is not a finite number.");
+    if(do_normalize && !(total[i] > 0.))
+      throw Invalid_argument_error("A total mass of " + std::to_string(total[i]) +
+                                   " cannot be scaled to one.");
+    if(do_normalize)
+      factor[i] = 1. / total[i];
   }
-  if(do_normalize)
-  {
-    for(const double sum : total)
-      if(!(sum > 0.))
-        throw Invalid_argument_error("A total mass of " + std::to_string(sum) +
-                                     " cannot be scaled to one.");
-    add(result, 1. / total[1], to);
-    add(result, -1. / total[0], from);
-    return result;
-  }
-  if(std::abs(total[1] - total[0]) > 1e-9 * std::max(size[0], size[1]))
+  if(!do_normalize && std::abs(total[1] - total[0]) > 1e-9 * std::max(size[0], size[1]))
     throw Invalid_argument_error(
         "The total masses before and after differ: " + std::to_string(total[0]) + " and " +
         std::to_string(total[1]) + ".");
-  add(result, 1., to);
-  add(result, -1., from);
+  Mass_distribution result;
+  add(result, factor[1], to);
+  add(result, -factor[0], from);
+  // Later checks of the total mass are relative to the difference.
+  if(masses_at_vertices(triangles, area, result).lpNorm<1>() <=
+     equality_tolerance * std::max(factor[0] * size[0], factor[1] * size[1]))
+  {
+    result = Mass_distribution();
+    result.at_vertices = Vector::Zero(Eigen::Index(triangles.number_of_vertices()));
+  }
   return result;
 }
 

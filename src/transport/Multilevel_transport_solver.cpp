@@ -414,10 +414,10 @@ Multilevel_transport_solver::solve_to_region(const Mass_distribution& from,
   to.at_locations = {{{none, first, {}}, at_vertices.sum()}};
   Mass_distribution masses =
       difference(*coarse.triangles, coarse.area, embedded_from, to, options.do_normalize);
-  // With limits the target masses are unknown, so that difference() only serves to check and
-  // normalize.
+  const double factor = options.do_normalize ? 1. / at_vertices.sum() : 1.;
+  // With limits the target masses are unknown, so that difference() only serves to check.
   if(m_region.is_limited())
-    masses.at_locations.erase(masses.at_locations.begin());
+    masses = scaled(embedded_from, -factor);
   Transport_result result = transport_masses(masses, options);
 
   for(const std::vector<Index>& exit : coarse.exits)
@@ -426,7 +426,6 @@ Multilevel_transport_solver::solve_to_region(const Mass_distribution& from,
   if(!m_region.is_limited())
     result.potential.array() -= double(result.potential[first]);
 
-  const double factor = options.do_normalize ? 1. / at_vertices.sum() : 1.;
   result.arrivals = arrivals(result.flow, factor * at_vertices);
   result.from = scaled(from, factor);
   if(m_curve_embedding)

@@ -39,7 +39,8 @@ Mass_distribution refined(const Surface_arrays& coarse, const Surface_arrays& fi
 // Returns `to` minus `from`. If `do_normalize` is set, each is first divided by its total mass.
 // Throws Invalid_argument_error if a mass is not finite, or if a total mass that must be normalized
 // is not positive. If `do_normalize` is not set, throws it also if the total masses differ by more
-// than 1e-9 of the larger sum of absolute masses.
+// than 1e-9 of the larger sum of absolute masses. The result is zero if both are equal within
+// round-off errors.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mass_distribution difference(const Surface_arrays& triangles, const std::vector<double>& area,
                              const Mass_distribution& from, const Mass_distribution& to,
