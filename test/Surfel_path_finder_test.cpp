@@ -304,7 +304,7 @@ TEST(Surfel_path_finder, stays_near_surfels_of_scans)
   {
     SCOPED_TRACE(scan.first);
     const Point_set& points = scan.second;
-    expect_path_points_near_surfels(points, 25,
+    expect_path_points_near_surfels(points, 10,
                                     [&](const auto& path)
                                     {
                                       // Between consecutive surfels the normal turns, but does not
@@ -332,7 +332,7 @@ TEST(Surfel_path_finder, stays_near_surfels_of_uneven_scans)
   for(const auto& [name, points] : scans)
   {
     SCOPED_TRACE(name);
-    expect_path_points_near_surfels(points, 20, [](const auto&) {});
+    expect_path_points_near_surfels(points, 6, [](const auto&) {});
   }
 }
 

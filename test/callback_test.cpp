@@ -193,8 +193,9 @@ TEST(Callback, cancels_matrices)
   const GP::Transport_metric<Mesh> metric(mesh, 5);
   expect_cancellation("transport metric", [&](const auto& np)
                       { metric.cost(Vertex(0), Vertex(70), np.tolerance(1e-6)); });
+  const std::vector<Vertex> vertices(mesh.vertices().begin(), mesh.vertices().begin() + 30);
   expect_cancellation("transport matrix",
-                      [&](const auto& np) { metric.distance_matrix(mesh.vertices(), np); });
+                      [&](const auto& np) { metric.distance_matrix(vertices, np); });
   expect_cancellation_of_map("transport map", mesh,
                              [&](auto map, const auto& np)
                              { metric.write_distances(Vertex(0), map, np); });
