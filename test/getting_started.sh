@@ -2,11 +2,21 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# getting_started.sh FOLDER PREFIX PYTHON_FOLDER: runs the commands of the page "Getting Started" word for
-# word in FOLDER, which is emptied first.  Fails if a command fails or if a program does not print what
-# the page says.  PREFIX has the installed program and library, PYTHON_FOLDER the Python module.  The
-# commands of the section "Installation" are omitted: the caller has installed everything.
+# getting_started.sh FOLDER PREFIX PYTHON_FOLDER [--without-viewer]: runs the commands of the page "Getting
+# Started" word for word in FOLDER, which is emptied first.  Fails if a command fails or if a program does
+# not print what the page says.  PREFIX has the installed program, library and page of the viewer,
+# PYTHON_FOLDER the Python module.  The commands of the section "Installation" are omitted: the caller has
+# installed everything.  With --without-viewer, the section "Viewer" is omitted as well.
 set -eu -o pipefail
+
+omitted=Installation
+files=(path.vtp fine.ply distance.ply distance.png)
+if [ "${4:-}" = --without-viewer ]; then
+  omitted="Installation|Viewer"
+  echo "The viewer was not built. Its section is skipped."
+else
+  files+=(fine.html)
+fi
 
 page=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../doc/manual/getting_started.txt")
 prefix=$(realpath "$2") python_folder=$(realpath "$3")
@@ -21,8 +31,8 @@ export PATH=$HOME/.local/bin:/usr/bin:$PATH PYTHONPATH=$python_folder
 
 # Converts the blocks of the page to a script.  A block after "the file `NAME`:" is the content of the
 # file.  A block after "prints:" must be a part of the output of the block of commands before it.
-awk '
-  /^\\section/ { omit = /Installation/; sections += !omit }
+awk -v omitted=" ($omitted)\$" '
+  /^\\section/ { omit = $0 ~ omitted; sections += !omit }
   omit { next }
   /^```$/ && is_block { is_block = 0; print end; next }
   is_block { print; next }
@@ -52,7 +62,7 @@ check_output()
 
 cd work
 . ../script
-for file in path.vtp fine.ply distance.ply distance.png; do
+for file in "${files[@]}"; do
   [ -s "$file" ] || { echo "The commands did not write $file." >&2; exit 1; }
 done
 echo "All commands of the page did what it says."

@@ -181,10 +181,13 @@ check_debian_packages()
 }
 
 # Runs the commands of the page "Getting Started" with the installed package and the Python module.
+# If the page of the viewer was built, the installed program must find the installed one.
 check_getting_started()
 {
+  local options=()
+  [ -f $release/viewer/viewer.html ] || options+=(--without-viewer)
   CMAKE_GENERATOR=Ninja CMAKE_CXX_COMPILER_LAUNCHER=ccache \
-    bash test/getting_started.sh build/getting_started build/prefix $release/python
+    bash test/getting_started.sh build/getting_started build/prefix $release/python "${options[@]}"
 }
 
 # Builds the library as a part of another project, in the two ways that CMake has.  It is not optimized,
