@@ -13,22 +13,40 @@ program=$(realpath "$1") folder=$(realpath "$2") jobs=${3:-1}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+# A page without scripts, to which the command view adds the surface.
+echo '<script type="text/plain" id="model" data-name=""></script>' >"$work/page.html"
+
+# Returns whether the program reads a result again, or whether a page contains a surface.
+is_readable()
+{
+  case $1 in
+    *.vtp) timeout 60 "$program" info "$1" --quiet ;;
+    *.html) grep -qE '^<script [^>]* data-name="[^"]+">[A-Za-z0-9+/]+=*</script>$' "$1" ;;
+  esac
+}
+
 # attempt FILE LIMIT COMMAND ARGUMENTS...
 attempt()
 {
   local file=$1 limit=$2 here result status spent begin=$SECONDS complaint=
   shift 2
   here=$(mktemp -d -p "$work")
-  result=$here/result.vtp
-  [ "$1" != matrix ] || result=$here/result.mtx
-  timeout -k 5 60 "$program" "$1" "$file" "${@:2}" --values "$here/values" \
+  local outputs=(--values "$here/values")
+  case $1 in
+    matrix) result=$here/result.mtx ;;
+    view) result=$here/result.html outputs=(--page "$work/page.html") ;;
+    *) result=$here/result.vtp ;;
+  esac
+  timeout -k 5 60 "$program" "$1" "$file" "${@:2}" "${outputs[@]}" \
     -o "$result" --json --quiet >"$here/out" 2>"$here/err"
   status=$? spent=$((SECONDS - begin))
   case $status in
     0)
-      if grep -qiE '(^|[^a-z])-?nan([^a-z]|$)' "$here/out" "$here/values"; then
+      if grep -qsiE '(^|[^a-z])-?nan([^a-z]|$)' "$here/out" "$here/values"; then
         complaint="a NaN in the result"
-      elif [ "$1" != matrix ] && ! timeout 60 "$program" info "$result" --quiet 2>"$here/err"; then
+      # A file without curves has no points, and the program reads only files with points.
+      elif ! grep -qE '"(circles|lines|loops)": 0,' "$here/out" &&
+           ! is_readable "$result" 2>"$here/err"; then
         complaint="its result cannot be read again"
       fi ;;
     2)
@@ -75,6 +93,7 @@ all_of_a_file()
   [ "$(stat -c %s "$file")" -lt 2000000 ] || limit=60
   deviation=$(twentieth_of_extent "$file")
   attempt "$file" $limit info || failed=1
+  attempt "$file" $limit view || failed=1
   for method in euclidean exact fast-marching dijkstra heat; do
     attempt "$file" $limit distance --source 0 --method $method || failed=1
     attempt "$file" $limit path --from 0 --to-at 0.3,0.2,0.1 --method $method || failed=1
@@ -116,7 +135,7 @@ all_of_a_file()
   return $failed
 }
 
-export -f attempt twentieth_of_extent all_of_a_file
+export -f is_readable attempt twentieth_of_extent all_of_a_file
 export program work
 if find "$folder" -type f -regex '.*\.\(ply\|off\|obj\|stl\|xyz\|pwn\|vtp\)' -print0 | sort -z |
    xargs -0 -n 1 -P "$jobs" bash -c 'all_of_a_file "$1"' _; then
