@@ -28,7 +28,7 @@ struct Semi_regular_result
   std::size_t number_of_base_faces = 0; ///< number of faces of the base mesh
   std::size_t number_of_flips = 0;      ///< number of inverted triangles of the parameterization
   /// Maximum distance of a vertex of the mesh from the point of the result with the same base
-  /// coordinates; 0 if `maximum_deviation` is not given.
+  /// coordinates; 0 if `maximum_deviation` is 0.
   double deviation = 0.;
 };
 
@@ -65,9 +65,10 @@ struct Semi_regular_result
 ///   \cgalParamNBegin{maximum_deviation}
 ///     \cgalParamDescription{for triangles only: refinement stops early once each vertex of the
 ///       mesh is within this distance of the point with the same base coordinates. The remaining
-///       distance is returned as `deviation`}
+///       distance is returned as `deviation`. If the value is 0, all levels are computed, and no
+///       distance is measured}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{all levels}
+///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{level_map}
 ///     \cgalParamDescription{receives for each vertex of the output the level that adds it. Level 0

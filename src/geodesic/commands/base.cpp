@@ -289,7 +289,7 @@ void add_semiregular(CLI::App& program)
   command.add_flag("--quads", options->use_quads, "first split each base face into three quads");
   command.add("--maximum-deviation", options->max_deviation, "D",
               "stop the refinement once each vertex of the input or reconstructed mesh is within "
-              "this distance of the point with the same base coordinates");
+              "this distance of the point with the same base coordinates (default 0: all levels)");
   command.set_callback([job, options] { run_semiregular(*job, *options); });
 }
 

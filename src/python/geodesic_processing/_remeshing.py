@@ -85,7 +85,7 @@ class SemiRegularMesh(NamedTuple):
     """The number of inverted triangles of the parameterization."""
     deviation: float
     """The maximum distance of a vertex of the original surface from the point with the same base
-    coordinates; 0 if ``max_deviation`` is not given."""
+    coordinates; 0 if ``max_deviation`` is ``None`` or 0."""
 
 
 class BaseParameterization:
@@ -384,8 +384,8 @@ class Remeshing(Distances):
             Whether each base face is first split into three quads.
         max_deviation
             Refinement of triangles stops if each vertex of the original surface is within this
-            distance of the point with the same base coordinates. By default, all levels are
-            computed.
+            distance of the point with the same base coordinates. If it is ``None`` or 0, all levels
+            are computed.
         coordinates
             As for ``parameterize_over_base()``.
         keep_sharp, curve_spacing, relaxation_steps, first, speed, seed, callback

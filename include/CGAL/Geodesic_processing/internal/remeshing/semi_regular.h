@@ -19,7 +19,7 @@ struct Semi_regular_mesh
   std::vector<Triangle> triangles;           // finest level; empty for a quad mesh
   std::vector<Quad> quads;                   // finest level; empty for a triangle mesh
   // Maximum distance of a mesh vertex from its image in the finest level, in the caller's unit.
-  // Zero if no maximum deviation was given.
+  // Zero if the maximum deviation is zero.
   double deviation = 0.;
 };
 
