@@ -150,7 +150,7 @@ code, pre { background: #f2f2f2; padding: 0.2em 0.4em; display: block; white-spa
 <main>
 HTML
 
-escape() { sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g'; }
+escape() { sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g' -e 's/"/\&quot;/g'; }
 
 # Prints the command without the folders of its files.
 shown() { printf '%s' "$*" | sed -e "s|[^ ]*/||g" | escape; }
@@ -182,14 +182,15 @@ picture()
 
 draw()
 {
-  local name=$1 caption=$2 begin=$SECONDS
+  local name=$1 caption=$2 begin=$SECONDS text
   shift 2
   rm -f "$gallery/$name.png"
   if "$build/geodesic" "$@" --quiet --picture "$gallery/$name.png" >>$log 2>"$this_part.errors" &&
      [ -s "$gallery/$name.png" ]; then
     printf '%-24s %3d s  %s\n' "$name" $((SECONDS - begin)) "$caption"
-    printf '<figure><img src="%s.png" alt=""><figcaption><p>%s</p><code>geodesic %s</code></figcaption></figure>\n' \
-      "$name" "$(printf '%s' "$caption" | escape)" "$(shown "$@")" >"$this_part.html"
+    text=$(printf '%s' "$caption" | escape)
+    printf '<figure><img src="%s.png" alt="%s"><figcaption><p>%s</p><code>geodesic %s</code></figcaption></figure>\n' \
+      "$name" "$text" "$text" "$(shown "$@")" >"$this_part.html"
   else
     touch "$this_part.failed"
     printf '%-24s FAILED: geodesic %s\n' "$name" "$*" >&2
@@ -206,7 +207,7 @@ program()
 {
   wait_for_pictures 0
   next_part
-  local name=$1 file=${as:-$1} caption output picture=''
+  local name=$1 file=${as:-$1} caption text output picture=''
   local shown_by=(--property "${property:-distance}")
   [ "${property-}" != none ] || shown_by=()
   shift
@@ -217,9 +218,10 @@ program()
     printf '%s\n' "$output"
     [[ ${!#} != *.ply ]] || "$build/geodesic" info "${!#}" "${shown_by[@]}" --quiet \
       --picture "$gallery/$file.png" >>$log 2>&1
-    [ ! -s "$gallery/$file.png" ] || picture="<img src=\"$file.png\" alt=\"\">"
+    text=$(printf '%s' "$caption" | escape)
+    [ ! -s "$gallery/$file.png" ] || picture="<img src=\"$file.png\" alt=\"$text\">"
     printf '<figure>%s<figcaption><p>%s</p><pre>%s</pre><code>%s</code></figcaption></figure>\n' \
-      "$picture" "$(printf '%s' "$caption" | escape)" "$(printf '%s' "$output" | escape)" \
+      "$picture" "$text" "$(printf '%s' "$output" | escape)" \
       "$(shown "$name" "$@")" >"$this_part.html"
   else
     touch "$this_part.failed"
@@ -538,9 +540,10 @@ done
 picture wavelet-tenth "Mesh reconstructed from the largest 10 % of the wavelet coefficients" \
   wavelet $build/levels.off --keep 10
 next_part
+caption="Rate-distortion curve: error relative to the bounding box diagonal over bits per vertex"
 cp doc/fig/rate_distortion.svg $gallery &&
-  printf '<figure><img src="rate_distortion.svg" alt=""><figcaption><p>%s</p></figcaption></figure>\n' \
-    "Rate-distortion curve: error relative to the bounding box diagonal over bits per vertex" >"$this_part.html"
+  printf '<figure><img src="rate_distortion.svg" alt="%s"><figcaption><p>%s</p></figcaption></figure>\n' \
+    "$caption" "$caption" >"$this_part.html"
 wait_for_pictures 0
 seconds=$((SECONDS - started))
 add_viewers
