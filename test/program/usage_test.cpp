@@ -4,9 +4,11 @@
 // Command line, exit codes and output that all commands share.
 #include "Program.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <string>
 
 namespace usage_test {
@@ -172,6 +174,40 @@ TEST_F(Program, exits_with_3_if_output_cannot_be_written)
   EXPECT_EQ(run("matrix square.ply --number 2 --values /dev/full").code, 3);
   EXPECT_EQ(run("info square.ply --json > /dev/full").code, 3);
   EXPECT_EQ(run("--help > /dev/full").code, 3);
+}
+
+// Returns the first word of each entry of a help text after a title. Entries are indented by two
+// characters.
+std::set<std::string> entries_of_help(const std::string& help, const std::string& title)
+{
+  std::set<std::string> result;
+  std::istringstream lines(help.substr(std::min(help.find(title), help.size())));
+  for(std::string line, word; std::getline(lines, line);)
+    if(line.find_first_not_of(' ') == 2 && std::istringstream(line) >> word)
+      result.insert(word);
+  return result;
+}
+
+TEST_F(Program, manual_page_has_all_commands_and_options)
+{
+  const Run_result page = run("--manual-page");
+  EXPECT_EQ(page.code, 0);
+  EXPECT_EQ(page.out.rfind(".TH GEODESIC 1 ", 0), 0u);
+
+  const std::set<std::string> commands = entries_of_help(run("--help").out, "Subcommands:");
+  EXPECT_EQ(commands.count("distance") + commands.count("view"), 2u);
+  for(const std::string& command : commands)
+    EXPECT_NE(page.out.find("\n.SS " + command + '\n'), std::string::npos) << command;
+
+  const std::set<std::string> options = entries_of_help(run("distance --help").out, "Options:");
+  EXPECT_EQ(options.count("--source") + options.count("-o,--output"), 2u);
+  for(const std::string& option : options)
+  {
+    std::string label;
+    for(const char c : option)
+      label += c == '-' ? "\\-" : std::string(1, c);
+    EXPECT_NE(page.out.find("\n.B \\&" + label), std::string::npos) << option;
+  }
 }
 
 TEST_F(Program, json_has_documented_keys)

@@ -3,6 +3,7 @@
 #include "app/run.h"
 
 #include "app/commands.h"
+#include "app/manual_page.h"
 #include "readers/Scanner.h"
 #include "io/Output_file.h"
 #include "io/errors.h"
@@ -23,6 +24,8 @@
 namespace program {
 
 namespace {
+
+constexpr const char* version = "geodesic 0.1.0";
 
 int fail(Exit_code code, std::string message)
 {
@@ -126,7 +129,12 @@ int run(int argc, char** argv)
   program.footer("Exit codes: 0 success; 1 wrong usage, or a required component is not installed; "
                  "2 the input cannot be processed, or there is not enough memory; "
                  "3 the result cannot be written.");
-  program.set_version_flag("--version", "geodesic 0.1.0");
+  program.set_help_flag("-h,--help", "print this help and exit");
+  program.set_version_flag("--version", version, "print the version and exit");
+  // The parser prints the text of the exception that it throws for the version.
+  program.add_flag_callback(
+      "--manual-page", [&program] { throw CLI::CallForVersion(manual_page(program, version), 0); },
+      "print the manual page in the format of man and exit");
   add_commands(program, argc > 1 ? argv[1] : "");
   try
   {
