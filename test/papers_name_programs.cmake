@@ -4,7 +4,7 @@
 # Fails if the page of the manual about the papers names an example, a demo, a benchmark or a picture
 # that does not exist, or a status that it does not define.
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
-file(READ ${root}/demo/run.sh pictures)
+file(READ ${root}/demo/tour/tour.md tour)
 file(STRINGS ${root}/doc/manual/papers.txt rows REGEX "^\\| [^:]")
 set(failures "")
 
@@ -25,11 +25,8 @@ foreach(row IN LISTS rows)
     set(folder_demo demo)
     set(folder_benchmark test/benchmark)
     if(kind STREQUAL gallery)
-      # The names of pictures in loops end with a variable.
-      string(REGEX REPLACE "-[0-9.]+$" "-$" prefix ${name})
-      string(FIND "${pictures}" "picture ${name} " position)
-      string(FIND "${pictures}" "picture ${prefix}" position_in_loop)
-      if(position LESS 0 AND (prefix STREQUAL name OR position_in_loop LESS 0))
+      string(FIND "${tour}" "\n**${name}** " position)
+      if(position LESS 0)
         string(APPEND failures "  picture ${name}\n")
       endif()
     elseif(NOT DEFINED folder_${kind} OR NOT EXISTS ${root}/${folder_${kind}}/${name}.cpp)
