@@ -221,11 +221,12 @@ run_tests()
     ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs"
 }
 
-# Checks the types of the Python package, and that the stubs of the extension match it.
+# Checks the types of the Python package and of the tour, and that the stubs of the extension match.
 check_python_types()
 {
   local options=(--cache-dir=/dev/null --strict)
   /usr/bin/python3 -m mypy "${options[@]}" src/python/geodesic_processing &&
+    /usr/bin/python3 -m mypy "${options[@]}" demo/tour &&
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PWD/$release/python MYPYPATH=$PWD/$release/python \
       /usr/bin/python3 -m mypy.stubtest geodesic_processing._core
 }
