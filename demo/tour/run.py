@@ -130,7 +130,7 @@ def main() -> int:
     failures += show_all(demos, 1)
     failures += show_all((entry for entry in pictures if entry.name in late), 2)
     if failures:
-        print(f"{failures} entries failed; {LOG} contains all output.", file=sys.stderr)
+        print(f"Failed entries: {failures}; {LOG} contains all output.", file=sys.stderr)
     return 1 if failures else 0
 
 
