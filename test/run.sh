@@ -231,18 +231,30 @@ check_python_types()
       /usr/bin/python3 -m mypy.stubtest geodesic_processing._core
 }
 
-# Builds the Python module and tests it with the interpreter of the distribution.
+# run_python_tests LOG ARGUMENT...: runs tests of the Python module. Each test has a time limit of its
+# own; that of the whole run ends a process that does not exit after its tests.
+run_python_tests()
+{
+  local log=$1
+  shift
+  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PWD/$release/python \
+    GEODESIC_PROCESSING_PROGRAM=$PWD/$release/geodesic \
+    timeout --foreground -k 10 1800 /usr/bin/python3 -m pytest --quiet "$@" | tee "$log"
+}
+
+# Builds the Python module and tests it with the interpreter of the distribution. The tests of
+# executors start processes and threads, so they run in a process of their own.
 check_python_module()
 {
+  local tests=test/python logs=build/python_tests
   cmake -S . -B $release -DGEODESIC_PROCESSING_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3 \
     >build/python.log || { cat build/python.log; return 1; }
   cmake --build $release -j "$jobs" --target python_module &&
-    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PWD/$release/python \
-      GEODESIC_PROCESSING_PROGRAM=$PWD/$release/geodesic \
-      /usr/bin/python3 -m pytest --quiet --ignore=test/python/executor_test.py test/python |
-      tee build/python_tests.log &&
+    run_python_tests $logs.log --ignore=$tests/executor_test.py $tests &&
+    run_python_tests ${logs}_executors.log $tests/executor_test.py &&
     at_least $min_python_tests \
-      "$(sed -n 's/^\([0-9]*\) passed.*/\1/p' build/python_tests.log)" "number of tests" &&
+      "$(sed -n 's/^\([0-9]*\) passed.*/\1/p' $logs.log ${logs}_executors.log |
+        awk '{ sum += $1 } END { print sum + 0 }')" "number of tests" &&
     check_python_types
 }
 

@@ -1,10 +1,30 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces for the tests."""
+"""Surfaces for the tests, and a limit of their time."""
+
+import faulthandler
+import os
 
 import geodesic_processing as gp
 import numpy as np
 import pytest
+
+# A test that takes longer waits for something that never happens: the slowest test takes 20 s on an
+# idle machine.
+MAX_SECONDS = 600
+
+
+def pytest_configure(config):
+    # pytest captures standard error later, and a message in a captured file would be lost.
+    config.uncaptured_stderr = os.fdopen(os.dup(2), "w")
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_protocol(item):
+    """Ends the process if a test waits forever. Prints what each thread waits for."""
+    faulthandler.dump_traceback_later(MAX_SECONDS, exit=True, file=item.config.uncaptured_stderr)
+    yield
+    faulthandler.cancel_dump_traceback_later()
 
 
 def grid_arrays(n, side=1.0):
@@ -20,22 +40,6 @@ def rough_arrays(n):
     """Returns a square with random heights, on which exact distances take long."""
     V, F = grid_arrays(n)
     V[:, 2] = np.random.default_rng(1).uniform(0, 2 / n, len(V))
-    return V, F
-
-
-def sphere_arrays(levels):
-    """Returns a unit sphere: an octahedron after a number of 1-to-4 subdivisions."""
-    V = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 0, 0], [0, -1, 0], [0, 0, -1]], float)
-    F = np.array([[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2]])
-    F = np.concatenate([F, np.where(F == 2, 5, F)[:, ::-1]])
-    for _ in range(levels):
-        edges = np.sort(np.stack([F, np.roll(F, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
-        ends, middle = np.unique(edges, axis=0, return_inverse=True)
-        a, b, c = F.T
-        ab, bc, ca = (middle.reshape(-1, 3) + len(V)).T
-        V = np.concatenate([V, V[ends].sum(axis=1)])
-        V /= np.linalg.norm(V, axis=1, keepdims=True)
-        F = np.stack([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], axis=1).reshape(-1, 3)
     return V, F
 
 

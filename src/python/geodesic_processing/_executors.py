@@ -10,7 +10,7 @@ import socket
 import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from typing import Any, NamedTuple
 
 from ._base import Base
@@ -107,7 +107,12 @@ class _Distribution:
             _distributed[content_hash] = self._surface
         try:
             while self._waiting or self._running:
-                self._submit_tasks(content_hash)
+                try:
+                    self._submit_tasks(content_hash)
+                except BrokenExecutor:
+                    while self._running:  # tasks can be completed
+                        yield from self._completed()
+                    raise
                 yield from self._completed()
         finally:
             for future in self._running:
