@@ -3,6 +3,7 @@
 #ifndef GEODESIC_PYTHON_SOLVER_H
 #define GEODESIC_PYTHON_SOLVER_H
 
+#include "python/Speeds.h"
 #include "python/Surface.h"
 
 #include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
@@ -48,29 +49,17 @@ public:
     const auto sources = m_surface->sources(source_list, offsets);
     const double maximum_distance = number(maximum, "max_distance");
     const double tolerance = number(relative_tolerance, "relative_tolerance");
-    const std::optional<Numbers> speeds = m_surface->vertex_speeds(speed);
+    const Speeds<Domain> speeds(*m_surface, speed, face_speed);
     Computation computation(callback);
-    m_surface->with_targets(
-        m_surface->targets(target_list),
-        [&](const auto& positions)
-        {
-          const auto np = GP::parameters::maximum_distance(maximum_distance)
-                              .targets(positions)
-                              .relative_tolerance(tolerance)
-                              .callback(computation.callback());
-          if(face_speed.is_none())
-            return run(computation, sources, np.speed_map(m_surface->speed_map(speeds)));
-          if constexpr(Surface_type::is_cloud)
-            reject("A cloud has no faces; pass speeds of surfels as speed.");
-          else
-          {
-            if(!speed.is_none())
-              reject("speed and face_speed cannot be combined.");
-            const Numbers values(face_speed, "face_speed",
-                                 {py::ssize_t(m_surface->number_of_faces())});
-            run(computation, sources, np.face_speed_map(Number_map<Mesh::Face_index>{&values}));
-          }
-        });
+    m_surface->with_targets(m_surface->targets(target_list),
+                            [&](const auto& positions)
+                            {
+                              const auto np = GP::parameters::maximum_distance(maximum_distance)
+                                                  .targets(positions)
+                                                  .relative_tolerance(tolerance)
+                                                  .callback(computation.callback());
+                              run(computation, sources, speeds.add_to(np));
+                            });
   }
 
   // Writes the distance of each vertex to an array.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/Cloud_surface.h"
 #include "python/Mesh_surface.h"
+#include "python/Speeds.h"
 #include "python/corner_maps.h"
 
 #include <CGAL/Geodesic_processing/bake_atlas.h>
@@ -25,7 +26,7 @@ template <typename Surface, typename OutputMap, typename... Arguments>
 GP::Texture_atlas parallel_atlas(const Surface& surface, std::size_t number, OutputMap&& output_map,
                                  const Arguments&... arguments)
 {
-  return GP::texture_atlas<GP::Euclidean_front, CGAL::Parallel_tag>(
+  return GP::texture_atlas<Runtime_method, CGAL::Parallel_tag>(
       surface, number, std::forward<OutputMap>(output_map), arguments...);
 }
 
@@ -82,19 +83,21 @@ py::tuple compute_atlas(const Cloud_surface& surface, std::size_t number, Comput
 template <typename Domain>
 py::tuple atlas(const Surface<Domain>& surface, const py::object& charts,
                 const py::object& texture_size, const py::object& gutter_width,
-                const py::object& speed, const py::object& max_iterations, const py::object& seed,
-                const py::object& threads, const py::object& callback)
+                const py::object& method, const py::object& speed, const py::object& face_speed,
+                const py::object& max_iterations, const py::object& seed, const py::object& threads,
+                const py::object& callback)
 {
-  const std::optional<Numbers> speeds = surface.vertex_speeds(speed);
+  const Speeds<Domain> speeds(surface, speed, face_speed);
   Computation computation(callback);
-  const auto np = GP::parameters::texture_size(size_number(texture_size, "texture size"))
-                      .gutter_width(size_number(gutter_width, "gutter width"))
-                      .maximum_number_of_iterations(
-                          unsigned(size_number(max_iterations, "number of iterations")))
-                      .speed_map(Surface<Domain>::speed_map(speeds))
-                      .random_seed(unsigned(size_number(seed, "seed")))
-                      .number_of_threads(parse_threads(threads))
-                      .callback(computation.callback());
+  const auto np =
+      speeds.add_to(GP::parameters::texture_size(size_number(texture_size, "texture size"))
+                        .gutter_width(size_number(gutter_width, "gutter width"))
+                        .method(parse_method(method))
+                        .maximum_number_of_iterations(
+                            unsigned(size_number(max_iterations, "number of iterations")))
+                        .random_seed(unsigned(size_number(seed, "seed")))
+                        .number_of_threads(parse_threads(threads))
+                        .callback(computation.callback()));
   return compute_atlas(surface, size_number(charts, "number of charts"), computation, np);
 }
 

@@ -30,17 +30,11 @@ py::tuple feature_distance(const Surface<Domain>& surface, const py::object& fea
   Computation computation(callback);
   const auto np = GP::parameters::do_fix_masses(do_fix_masses)
                       .speed_map(Surface<Domain>::speed_map(speeds))
+                      .number_of_refinements(number_of_refinements)
                       .tolerance(number(tolerance, "tolerance"))
                       .callback(computation.callback());
   GP::Earth_movers_cost cost;
-  computation.run(
-      [&]
-      {
-        cost = number_of_refinements
-                   ? GP::feature_distance(surface.domain(), sources, map,
-                                          np.number_of_refinements(*number_of_refinements))
-                   : GP::feature_distance(surface.domain(), sources, map, np);
-      });
+  computation.run([&] { cost = GP::feature_distance(surface.domain(), sources, map, np); });
   return py::make_tuple(distances, cost.value, cost.lower, cost.upper, cost.estimate,
                         cost.number_of_iterations, cost.residual, cost.is_converged);
 }

@@ -19,13 +19,10 @@ namespace {
 
 GP::Flattening_start parse_start(const py::object& name)
 {
-  if(py::isinstance<py::str>(name))
-    for(const auto& [text, start] : {std::make_pair("best", GP::Flattening_start::best),
-                                     std::make_pair("lle", GP::Flattening_start::lle),
-                                     std::make_pair("mds", GP::Flattening_start::mds)})
-      if(name.cast<std::string>() == text)
-        return start;
-  reject("flattening_start is not best, lle or mds.");
+  return choice<GP::Flattening_start>(name, "flattening_start",
+                                      {{"best", GP::Flattening_start::best},
+                                       {"lle", GP::Flattening_start::lle},
+                                       {"mds", GP::Flattening_start::mds}});
 }
 
 // Calls f with named parameters, to which the base points or their number are added unless they are
@@ -60,7 +57,8 @@ std::function<bool(double)> stage(const std::function<bool(double)>& callback, d
 template <typename Domain>
 py::tuple lle(const Surface<Domain>& surface, bool is_injective, const py::object& count,
               const py::object& base_points, const py::object& neighbors, const py::object& start,
-              const py::object& rigid_steps, const py::object& seed, const py::object& callback)
+              const py::object& rigid_steps, const py::object& method, const py::object& seed,
+              const py::object& callback)
 {
   using Vertex = typename Surface<Domain>::Vertex;
   py::array_t<double> uv = uv_array(surface);
@@ -70,6 +68,7 @@ py::tuple lle(const Surface<Domain>& surface, bool is_injective, const py::objec
   const auto progress = computation.callback();
   const auto np = GP::parameters::flattening_start(parse_start(start))
                       .number_of_rigid_steps(size_number(rigid_steps, "number of rigid steps"))
+                      .method(parse_method(method))
                       .random_seed(unsigned(size_number(seed, "seed")))
                       .callback(stage(progress, 0., is_injective ? 0.5 : 1.));
   const auto flatten = [&](const auto& parameters)
@@ -77,7 +76,7 @@ py::tuple lle(const Surface<Domain>& surface, bool is_injective, const py::objec
     computation.run(
         [&]
         {
-          found = GP::geodesic_lle(surface.domain(), map, parameters);
+          found = GP::geodesic_lle<Runtime_method>(surface.domain(), map, parameters);
           if constexpr(!Surface<Domain>::is_cloud)
             if(is_injective)
               GP::minimize_distortion(surface.domain(), map,
@@ -99,7 +98,8 @@ py::tuple lle(const Surface<Domain>& surface, bool is_injective, const py::objec
 // Returns the image of each vertex, and the base points.
 template <typename Domain>
 py::tuple mds(const Surface<Domain>& surface, const py::object& count,
-              const py::object& base_points, const py::object& seed, const py::object& callback)
+              const py::object& base_points, const py::object& method, const py::object& seed,
+              const py::object& callback)
 {
   using Vertex = typename Surface<Domain>::Vertex;
   py::array_t<double> uv = uv_array(surface);
@@ -108,9 +108,12 @@ py::tuple mds(const Surface<Domain>& surface, const py::object& count,
   Computation computation(callback);
   with_base_points(surface, count, base_points,
                    GP::parameters::random_seed(unsigned(size_number(seed, "seed")))
+                       .method(parse_method(method))
                        .callback(computation.callback()),
                    [&](const auto& np) {
-                     computation.run([&] { found = GP::geodesic_mds(surface.domain(), map, np); });
+                     computation.run(
+                         [&]
+                         { found = GP::geodesic_mds<Runtime_method>(surface.domain(), map, np); });
                    });
   return py::make_tuple(uv, index_array(found));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/Cloud_surface.h"
 #include "python/Mesh_surface.h"
+#include "python/transport_arguments.h"
 
 #include <CGAL/Geodesic_processing/fuzzy_geodesic.h>
 
@@ -34,45 +35,38 @@ typename Surface<Domain>::Location read_location(const Surface<Domain>& surface,
   }
 }
 
-// Calls f with named parameters, to which `width` is added unless it is None.
-template <typename NamedParameters, typename Function>
-void with_width(const py::object& width, const NamedParameters& np, const Function& f)
+// Reads a width; empty for None, which stands for the default.
+std::optional<double> width_of(const py::object& width)
 {
-  if(width.is_none())
-    f(np);
-  else
-    f(np.width(number(width, "width")));
+  return width.is_none() ? std::nullopt : std::optional(number(width, "width"));
 }
 
 // Returns the likelihoods of vertices, and the members of the cost.
 template <typename Domain>
 py::tuple fuzzy_geodesic(const Surface<Domain>& surface, const py::object& a, const py::object& b,
-                         const py::object& width, const py::object& tolerance,
-                         const py::object& number_of_refinements, const py::object& speed,
-                         const py::object& callback)
+                         const py::object& width, const py::object& method,
+                         const py::object& tolerance, const py::object& number_of_refinements,
+                         const py::object& speed, const py::object& callback)
 {
   using Vertex = typename Surface<Domain>::Vertex;
   const auto p = read_location(surface, a), q = read_location(surface, b);
   const std::optional<Numbers> speeds = surface.vertex_speeds(speed);
-  unsigned refinements;
-  if(number_of_refinements.is_none())
-    // Not public: Named parameters are types, so that number_of_refinements cannot be omitted at run
-    // time.
-    refinements = GP::internal::default_number_of_refinements(*surface.domain().triangles());
-  else // more than 30 refinements exceed all limits
-    refinements = unsigned(index(number_of_refinements, "number of refinements", 31));
   py::array_t<double> likelihoods(py::ssize_t(surface.number_of_points()));
   const Output_map<Vertex, double> map{likelihoods.mutable_data(), 1};
   Computation computation(callback);
   GP::Earth_movers_cost cost;
-  with_width(width,
-             GP::parameters::tolerance(number(tolerance, "tolerance"))
-                 .number_of_refinements(refinements)
-                 .speed_map(Surface<Domain>::speed_map(speeds))
-                 .callback(computation.callback()),
-             [&](const auto& np) {
-               computation.run([&] { cost = GP::fuzzy_geodesic(surface.domain(), p, q, map, np); });
-             });
+  const auto np = GP::parameters::width(width_of(width))
+                      .tolerance(number(tolerance, "tolerance"))
+                      .number_of_refinements(refinements(number_of_refinements))
+                      .speed_map(Surface<Domain>::speed_map(speeds))
+                      .callback(computation.callback());
+  with_transport_method(
+      parse_transport_method(method),
+      [&]([[maybe_unused]] auto tag)
+      {
+        computation.run(
+            [&] { cost = GP::fuzzy_geodesic<decltype(tag)>(surface.domain(), p, q, map, np); });
+      });
   return py::make_tuple(likelihoods, cost.value, cost.lower, cost.upper, cost.estimate,
                         cost.number_of_iterations, cost.residual, cost.is_converged);
 }
@@ -81,7 +75,8 @@ py::tuple fuzzy_geodesic(const Surface<Domain>& surface, const py::object& a, co
 template <typename Domain>
 py::array_t<double> fuzzy_geodesic_by_distances(const Surface<Domain>& surface, const py::object& a,
                                                 const py::object& b, const py::object& width,
-                                                const py::object& speed, const py::object& callback)
+                                                const py::object& method, const py::object& speed,
+                                                const py::object& callback)
 {
   using Vertex = typename Surface<Domain>::Vertex;
   const auto p = read_location(surface, a), q = read_location(surface, b);
@@ -89,13 +84,12 @@ py::array_t<double> fuzzy_geodesic_by_distances(const Surface<Domain>& surface, 
   py::array_t<double> likelihoods(py::ssize_t(surface.number_of_points()));
   const Output_map<Vertex, double> map{likelihoods.mutable_data(), 1};
   Computation computation(callback);
-  with_width(width,
-             GP::parameters::speed_map(Surface<Domain>::speed_map(speeds))
-                 .callback(computation.callback()),
-             [&](const auto& np) {
-               computation.run(
-                   [&] { GP::fuzzy_geodesic_by_distances(surface.domain(), p, q, map, np); });
-             });
+  const auto np = GP::parameters::width(width_of(width))
+                      .method(parse_method(method))
+                      .speed_map(Surface<Domain>::speed_map(speeds))
+                      .callback(computation.callback());
+  computation.run(
+      [&] { GP::fuzzy_geodesic_by_distances<Runtime_method>(surface.domain(), p, q, map, np); });
   return likelihoods;
 }
 

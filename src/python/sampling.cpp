@@ -20,8 +20,9 @@ namespace {
 // Returns the labels of faces or surfels, the locations of centers, and the energies.
 template <typename Domain>
 py::tuple segment(const Surface<Domain>& surface, const py::object& n, bool make_disks,
-                  const py::object& max_iterations, const py::object& seed, const py::object& speed,
-                  const py::object& threads, const py::object& callback)
+                  const py::object& max_iterations, const py::object& seed,
+                  const py::object& method, const py::object& speed, const py::object& threads,
+                  const py::object& callback)
 {
   using Surface_type = Surface<Domain>;
   using Element = std::conditional_t<Surface_type::is_cloud, std::size_t, Mesh::Face_index>;
@@ -37,6 +38,7 @@ py::tuple segment(const Surface<Domain>& surface, const py::object& n, bool make
   const auto np = GP::parameters::do_make_discs(make_disks)
                       .maximum_number_of_iterations(unsigned(number_of_steps))
                       .random_seed(parse_seed(seed))
+                      .method(parse_method(method))
                       .number_of_threads(parse_threads(threads))
                       .center_output(std::back_inserter(centers))
                       .energy_output(std::back_inserter(energies))
@@ -46,8 +48,8 @@ py::tuple segment(const Surface<Domain>& surface, const py::object& n, bool make
   computation.run(
       [&]
       {
-        GP::geodesic_centroidal_tessellation<GP::Euclidean_front, CGAL::Parallel_tag>(
-            surface.domain(), size, map, np);
+        GP::geodesic_centroidal_tessellation<Runtime_method, CGAL::Parallel_tag>(surface.domain(),
+                                                                                 size, map, np);
       });
   const py::tuple locations = Surface_type::location_arrays(centers);
   return py::make_tuple(labels, locations[0], locations[1], number_array(energies));

@@ -60,16 +60,13 @@ py::tuple emd(const Surface<Domain>& surface, const py::tuple& from, const py::t
   Solution_arrays<Domain> arrays(surface);
   GP::Earth_movers_cost cost;
   Computation computation(callback);
-  setup.with_parameters(
-      [&](const auto& np)
+  const auto np = setup.parameters();
+  computation.run(
+      [&]
       {
-        computation.run(
-            [&]
-            {
-              GP::Earth_movers_solver<typename Surface<Domain>::Input> solver(surface.domain(), np);
-              cost = query.compute(solver, computation, a, b);
-              arrays.write(solver);
-            });
+        GP::Earth_movers_solver<typename Surface<Domain>::Input> solver(surface.domain(), np);
+        cost = query.compute(solver, computation, a, b);
+        arrays.write(solver);
       });
   return py::make_tuple(cost_tuple(cost), arrays.potential, arrays.flow);
 }
@@ -148,18 +145,15 @@ py::tuple barycenter(const Surface<Domain>& surface, const py::list& masses,
                          .maximum_number_of_iterations(max_iterations(maximum))
                          .do_normalize(do_normalize)
                          .callback(computation.callback());
-  setup.with_parameters(
-      [&](const auto& np)
+  const auto np = setup.parameters();
+  computation.run(
+      [&]
       {
-        computation.run(
-            [&]
-            {
-              GP::Transport_barycenter_solver<typename Surface<Domain>::Input> solver(
-                  surface.domain(), np);
-              cost = solver.compute(given, query);
-              solver.write_masses(mass_map);
-              solver.write_density(density_map);
-            });
+        GP::Transport_barycenter_solver<typename Surface<Domain>::Input> solver(surface.domain(),
+                                                                                np);
+        cost = solver.compute(given, query);
+        solver.write_masses(mass_map);
+        solver.write_density(density_map);
       });
   return py::make_tuple(
       cost.value, cost.lower, cost.upper,
@@ -170,20 +164,23 @@ py::tuple barycenter(const Surface<Domain>& surface, const py::list& masses,
 // Returns the vertex, the value and the weighted sum of squared distances at each vertex.
 template <typename Domain>
 py::tuple geodesic_barycenter(const Surface<Domain>& surface, const py::object& locations,
-                              const py::object& weights, const py::object& speed,
+                              const py::object& weights, const py::object& method,
+                              const py::object& speed, const py::object& face_speed,
                               const py::object& callback)
 {
   using Vertex = typename Surface<Domain>::Vertex;
   const auto positions = surface.sources(locations, py::none());
-  const std::optional<Numbers> speeds = surface.vertex_speeds(speed);
+  const Speeds<Domain> speeds(surface, speed, face_speed);
   py::array_t<double> objective(py::ssize_t(surface.number_of_points()));
   Computation computation(callback);
-  const auto np = GP::parameters::weights(weights_of(weights, positions.size()))
-                      .objective_map(Output_map<Vertex, double>{objective.mutable_data(), 1})
-                      .speed_map(Surface<Domain>::speed_map(speeds))
-                      .callback(computation.callback());
+  const auto np =
+      speeds.add_to(GP::parameters::weights(weights_of(weights, positions.size()))
+                        .method(parse_method(method))
+                        .objective_map(Output_map<Vertex, double>{objective.mutable_data(), 1})
+                        .callback(computation.callback()));
   std::optional<GP::Geodesic_barycenter<Vertex>> result;
-  computation.run([&] { result = GP::geodesic_barycenter(surface.domain(), positions, np); });
+  computation.run(
+      [&] { result = GP::geodesic_barycenter<Runtime_method>(surface.domain(), positions, np); });
   return py::make_tuple(std::size_t(result->vertex), result->value, objective);
 }
 
@@ -213,18 +210,15 @@ py::tuple transport_to_region(const Surface<Domain>& surface, const py::tuple& m
                                                                          1};
   GP::Earth_movers_cost cost;
   Computation computation(callback);
-  setup.with_parameters(
-      [&](const auto& np)
+  const auto np = setup.parameters();
+  computation.run(
+      [&]
       {
-        computation.run(
-            [&]
-            {
-              GP::Region_transport_solver<typename Surface<Domain>::Input> solver(
-                  surface.domain(), exits, np.capacities(limits).spreading_weight(weight));
-              cost = query.compute(solver, computation, from);
-              arrays.write(solver);
-              solver.write_arrivals(arrival_map);
-            });
+        GP::Region_transport_solver<typename Surface<Domain>::Input> solver(
+            surface.domain(), exits, np.capacities(limits).spreading_weight(weight));
+        cost = query.compute(solver, computation, from);
+        arrays.write(solver);
+        solver.write_arrivals(arrival_map);
       });
   return py::make_tuple(cost_tuple(cost), arrivals, arrays.potential, arrays.flow);
 }
@@ -249,20 +243,17 @@ py::list streamlines(const Surface<Domain>& surface, const py::tuple& from, cons
   const Transport_query query(query_arguments);
   std::vector<GP::Streamline<Input>> lines;
   Computation computation(callback);
-  setup.with_parameters(
-      [&](const auto& np)
+  const auto np = setup.parameters();
+  computation.run(
+      [&]
       {
-        computation.run(
-            [&]
-            {
-              GP::Earth_movers_solver<Input> solver(surface.domain(), np);
-              query.compute(solver, computation, a, b);
-              const auto trace = solver.streamlines(GP::parameters::do_straighten(do_straighten));
-              if(seeds.empty())
-                trace(number_of_lines, std::back_inserter(lines));
-              for(const auto& seed : seeds)
-                std::visit([&](const auto& position) { lines.push_back(trace(position)); }, seed);
-            });
+        GP::Earth_movers_solver<Input> solver(surface.domain(), np);
+        query.compute(solver, computation, a, b);
+        const auto trace = solver.streamlines(GP::parameters::do_straighten(do_straighten));
+        if(seeds.empty())
+          trace(number_of_lines, std::back_inserter(lines));
+        for(const auto& seed : seeds)
+          std::visit([&](const auto& position) { lines.push_back(trace(position)); }, seed);
       });
   py::list result;
   for(const auto& line : lines)

@@ -3,7 +3,6 @@
 #include "python/transport_arguments.h"
 
 #include <limits>
-#include <utility>
 
 namespace python {
 
@@ -14,6 +13,13 @@ unsigned max_iterations(const py::handle& object)
   if(result == 0)
     reject("The maximum number of iterations is zero.");
   return unsigned(result);
+}
+
+std::optional<unsigned> refinements(const py::object& object)
+{
+  if(object.is_none())
+    return std::nullopt;
+  return unsigned(index(object, "number of refinements", 31));
 }
 
 py::tuple cost_tuple(const GP::Earth_movers_cost& cost)
@@ -37,22 +43,18 @@ bool is_range_of_reals(const py::object& object)
 }
 
 Transport_query::Transport_query(const py::tuple& arguments)
-    : m_method(parse_method(arguments[0])), m_tolerance(number(arguments[1], "tolerance")),
+    : m_method(parse_transport_method(arguments[0])),
+      m_tolerance(number(arguments[1], "tolerance")),
       m_max_iterations(max_iterations(arguments[2])), m_do_normalize(arguments[3].cast<bool>()),
       m_do_bound_from_above(arguments[4].cast<bool>())
 {}
 
-Transport_query::Method Transport_query::parse_method(const py::object& name)
+Transport_method parse_transport_method(const py::object& name)
 {
-  static const std::pair<const char*, Method> methods[] = {
-      {"interior-point", Method::interior_point},
-      {"admm", Method::alternating_directions},
-      {"weiszfeld", Method::weiszfeld}};
-  if(py::isinstance<py::str>(name))
-    for(const auto& [text, method] : methods)
-      if(name.cast<std::string>() == text)
-        return method;
-  reject("method is not interior-point, admm or weiszfeld.");
+  return choice<Transport_method>(name, "method",
+                                  {{"interior-point", Transport_method::interior_point},
+                                   {"admm", Transport_method::alternating_directions},
+                                   {"weiszfeld", Transport_method::weiszfeld}});
 }
 
 } // namespace python

@@ -3,6 +3,7 @@
 #ifndef GEODESIC_PYTHON_TRANSPORT_ARGUMENTS_H
 #define GEODESIC_PYTHON_TRANSPORT_ARGUMENTS_H
 
+#include "python/Speeds.h"
 #include "python/Surface.h"
 
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
@@ -21,6 +22,9 @@ using GP::internal::Mass_distribution;
 
 // Returns a positive number of iterations. Throws Invalid_argument_error if it is not.
 unsigned max_iterations(const py::handle& object);
+
+// Reads a number of refinements; empty for None. More than 30 exceed the limits of every surface.
+std::optional<unsigned> refinements(const py::object& object);
 
 // Returns the tuple of a cost.
 py::tuple cost_tuple(const GP::Earth_movers_cost& cost);
@@ -80,64 +84,72 @@ class Transport_setup
 public:
   // Reads speeds, speeds of faces, metrics, metrics of faces, and the number of refinements.
   Transport_setup(const Surface_type& surface, const py::tuple& arguments)
+      : m_speeds(surface, arguments[0], arguments[1])
   {
-    const auto points = py::ssize_t(surface.number_of_points());
-    const auto faces = py::ssize_t(surface.number_of_faces());
-    if(Surface_type::is_cloud &&
-       !(py::object(arguments[1]).is_none() && py::object(arguments[3]).is_none()))
-      reject("A cloud has no faces; pass speeds and metrics of surfels.");
-    read(m_speed, arguments[0], "speed", {points});
-    read(m_face_speed, arguments[1], "face_speed", {faces});
-    read(m_metric, arguments[2], "metric", {points, 9});
-    read(m_face_metric, arguments[3], "face_metric", {faces, 9});
-    if(m_speed && m_face_speed)
-      reject("speed and face_speed cannot be combined.");
+    read(m_metric, arguments[2], "metric", surface.number_of_points());
+    if(Surface_type::is_cloud && !py::object(arguments[3]).is_none())
+      reject("A cloud has no faces; pass metrics of surfels as metric.");
+    read(m_face_metric, arguments[3], "face_metric", surface.number_of_faces());
     if(m_metric && m_face_metric)
       reject("metric and face_metric cannot be combined.");
-    if(const py::object refinements = arguments[4]; !refinements.is_none())
-      m_refinements = unsigned(index(refinements, "number of refinements", 31));
+    m_refinements = refinements(arguments[4]);
   }
 
-  // Calls f with the named parameters. Those without a value are omitted.
-  template <typename Function>
-  void with_parameters(const Function& f) const
+  // Returns the named parameters, which refer to this object. Those without a value are empty
+  // optionals, so that solvers are compiled once.
+  auto parameters() const
   {
-    const auto np = GP::parameters::do_normalize(false); // the first one of a chain
-    if(m_refinements)
-      with_speed(np.number_of_refinements(*m_refinements), f);
+    const auto np = m_speeds.add_to(
+        GP::parameters::number_of_refinements(m_refinements).metric_map(map_of<Vertex>(m_metric)));
+    if constexpr(Surface_type::is_cloud)
+      return np;
     else
-      with_speed(np, f);
+      return np.face_metric_map(map_of<Mesh::Face_index>(m_face_metric));
   }
 
 private:
   static void read(std::optional<Numbers>& numbers, const py::object& object,
-                   const std::string& name, const Shape& shape)
+                   const std::string& name, std::size_t size)
   {
     if(!object.is_none())
-      numbers.emplace(object, name, shape);
+      numbers.emplace(object, name, Shape{py::ssize_t(size), 9});
   }
-  template <typename NamedParameters, typename Function>
-  void with_speed(const NamedParameters& np, const Function& f) const
+  template <typename Key>
+  static std::optional<Matrix_map<Key>> map_of(const std::optional<Numbers>& matrices)
   {
-    if constexpr(!Surface_type::is_cloud)
-      if(m_face_speed)
-        return with_metric(np.face_speed_map(Number_map<Mesh::Face_index>{&*m_face_speed}), f);
-    with_metric(np.speed_map(Surface_type::speed_map(m_speed)), f);
-  }
-  template <typename NamedParameters, typename Function>
-  void with_metric(const NamedParameters& np, const Function& f) const
-  {
-    if constexpr(!Surface_type::is_cloud)
-      if(m_face_metric)
-        return f(np.face_metric_map(Matrix_map<Mesh::Face_index>{&*m_face_metric}));
-    if(m_metric)
-      return f(np.metric_map(Matrix_map<Vertex>{&*m_metric}));
-    f(np);
+    return matrices ? std::optional(Matrix_map<Key>{&*matrices}) : std::nullopt;
   }
 
-  std::optional<Numbers> m_speed, m_face_speed, m_metric, m_face_metric;
+  Speeds<Domain> m_speeds;
+  std::optional<Numbers> m_metric, m_face_metric;
   std::optional<unsigned> m_refinements;
 };
+
+enum class Transport_method
+{
+  interior_point,
+  alternating_directions,
+  weiszfeld
+};
+
+// Returns the method of a name. Throws Invalid_argument_error if it is unknown.
+Transport_method parse_transport_method(const py::object& name);
+
+// Returns f(tag) for the tag of a method.
+template <typename Function>
+auto with_transport_method(Transport_method method, const Function& f)
+{
+  switch(method)
+  {
+  case Transport_method::alternating_directions:
+    return f(GP::Alternating_directions());
+  case Transport_method::weiszfeld:
+    return f(GP::Weiszfeld());
+  case Transport_method::interior_point:
+    break;
+  }
+  return f(GP::Interior_point());
+}
 
 // The arguments of a query of a solver.
 class Transport_query
@@ -157,28 +169,12 @@ public:
                         .do_normalize(m_do_normalize)
                         .do_bound_from_above(m_do_bound_from_above)
                         .callback(computation.callback());
-    switch(m_method)
-    {
-    case Method::alternating_directions:
-      return solver.template compute<GP::Alternating_directions>(masses..., np);
-    case Method::weiszfeld:
-      return solver.template compute<GP::Weiszfeld>(masses..., np);
-    case Method::interior_point:
-      break;
-    }
-    return solver.template compute<GP::Interior_point>(masses..., np);
+    return with_transport_method(m_method, [&]([[maybe_unused]] auto tag)
+                                 { return solver.template compute<decltype(tag)>(masses..., np); });
   }
 
 private:
-  enum class Method
-  {
-    interior_point,
-    alternating_directions,
-    weiszfeld
-  };
-  static Method parse_method(const py::object& name);
-
-  Method m_method;
+  Transport_method m_method;
   double m_tolerance;
   unsigned m_max_iterations;
   bool m_do_normalize, m_do_bound_from_above;

@@ -56,13 +56,8 @@ public:
          const py::object& barycentric_coordinates)
       : m_surface(std::move(surface))
   {
-    const auto np = GP::parameters::do_normalize(false); // the first one of a chain
-    if(number_of_refinements.is_none())
-      construct(np, barycentric_coordinates);
-    else
-      construct(np.number_of_refinements(
-                    unsigned(index(number_of_refinements, "number of refinements", 31))),
-                barycentric_coordinates);
+    construct(GP::parameters::number_of_refinements(refinements(number_of_refinements)),
+              barycentric_coordinates);
   }
 
   // Returns the cost, the potential and the flow of a transport between two points.

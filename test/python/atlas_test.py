@@ -167,3 +167,38 @@ def test_bake_atlas_rejects(grid, cloud, arrays):
     check_error(lambda: cloud.bake_atlas(uv, colors), gp.UnsupportedSurfaceError)
     with pytest.raises(ZeroDivisionError):
         grid.bake_atlas(uv, lambda locations: 1 / 0, 16)
+
+
+def upper_faces(surface):
+    return surface.vertices[surface.faces].mean(axis=1)[:, 2] > 0
+
+
+def test_charts_are_smaller_in_slow_faces(sphere):
+    upper = upper_faces(sphere)
+    atlas = sphere.atlas(12, face_speed=np.where(upper, 0.25, 1.0))
+    check_atlas(atlas)
+    assert len(set(atlas.charts[upper])) > 2 * len(set(atlas.charts[~upper]))
+
+
+def test_constant_speeds_of_faces_and_vertices_are_equal(sphere):
+    of_faces = sphere.atlas(6, face_speed=np.full(sphere.number_of_faces, 0.5))
+    of_vertices = sphere.atlas(6, speed=np.full(sphere.number_of_points, 0.5))
+    assert np.array_equal(of_faces.uv, of_vertices.uv)
+
+
+def test_method_of_atlas_is_used(sphere):
+    atlas = sphere.atlas(6, method="dijkstra")
+    check_atlas(atlas)
+    assert not np.array_equal(atlas.charts, sphere.atlas(6, method="euclidean").charts)
+    # The tessellation needs a front.
+    check_error(lambda: sphere.atlas(6, method="exact"))
+
+
+def test_speeds_of_atlas_are_checked(sphere, cloud):
+    m = sphere.number_of_faces
+    for named in (
+        {"face_speed": np.ones(m + 1)}, {"face_speed": -np.ones(m)}, {"face_speed": "slow"},
+        {"face_speed": np.ones(m), "speed": np.ones(sphere.number_of_points)},
+    ):
+        check_error(lambda: sphere.atlas(**named))
+    check_error(lambda: cloud.atlas(face_speed=np.ones(121)))

@@ -219,3 +219,23 @@ def test_unsupported_flattenings(cloud, grid, arrays):
     V, F = arrays
     two = gp.Surface(np.concatenate([V, V + [5, 0, 0]]), np.concatenate([F, F + 121]))
     check_error(lambda: two.flatten(), kind)
+
+
+@pytest.mark.parametrize("name", ["lle", "mds"])
+def test_method_of_flattening_is_used(grid, arrays, name):
+    flatten = getattr(grid, name)
+    default = flatten().uv
+    assert np.array_equal(flatten(method="euclidean").uv, default)
+    # On a planar mesh, only distances of the default front are exact. Those of fast marching are
+    # wrong by some percent, and paths along edges are up to 41 % longer.
+    expected = distances_between(arrays[0])
+    errors = [
+        np.abs(distances_between(flatten(method=method).uv) - expected).max()
+        for method in ("euclidean", "fast-marching", "dijkstra")
+    ]
+    assert errors[0] < 0.1 * min(errors[1:])
+    check_error(lambda: flatten(method="exact"))
+
+
+def test_method_of_injective_flattening_is_used(grid):
+    assert not np.array_equal(grid.flatten(method="dijkstra").uv, grid.flatten().uv)

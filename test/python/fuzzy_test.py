@@ -95,3 +95,26 @@ def test_fuzzy_geodesics_reject(surface):
 def test_vertex_without_face_is_rejected(arrays):
     surface = gp.Surface(np.concatenate([arrays[0], [[5, 5, 5]]]), arrays[1])
     check_error(lambda: surface.fuzzy_geodesic(0, 121))
+
+
+@pytest.mark.parametrize("method", ["admm", "weiszfeld"])
+def test_methods_of_transport_have_the_same_optimum(grid, method):
+    exact = grid.fuzzy_geodesic(24, 84, 0.12)
+    found = grid.fuzzy_geodesic(24, 84, 0.12, method=method, tolerance=0.05)
+    # Both intervals contain the optimum.
+    assert max(found.lower, exact.lower) <= min(found.upper, exact.upper)
+    assert found.value != exact.value
+
+
+def test_method_of_distances_is_used(surface):
+    a, b, method = 24, 84, "dijkstra"
+    from_a, from_b = surface.distance(a, method=method), surface.distance(b, method=method)
+    likelihood = surface.fuzzy_geodesic_by_distances(a, b, 0.1, method=method)
+    expected = np.exp(-np.abs(from_a + from_b - from_a[b]) / 0.1)
+    # Distances have round-off errors of 1e-14, which are divided by the width.
+    assert np.abs(likelihood - expected).max() <= 1e-12
+
+
+def test_unknown_methods_are_rejected(grid):
+    check_error(lambda: grid.fuzzy_geodesic(24, 84, method="exact"))
+    check_error(lambda: grid.fuzzy_geodesic_by_distances(24, 84, method="admm"))

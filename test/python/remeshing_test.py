@@ -16,6 +16,7 @@ from conftest import (
     topology,
     torus_arrays,
 )
+from error_test import check_error
 
 # Coordinates are about 1, and a point is a sum of three products.
 ROUND_OFF = 1e-14
@@ -299,3 +300,70 @@ def test_meshes_reject(grid, cloud):
         for function in (base.inverse, base.points, base.map):
             with pytest.raises(gp.InvalidArgumentError, match=r"\.$"):
                 function(location)
+
+
+def middle_line(surface):
+    """Returns the edges of the square on the line x = 1/2."""
+    V, F = surface.vertices, surface.faces
+    edges = np.unique(np.sort(F[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)), axis=0)
+    return edges[(np.abs(V[edges][:, :, 0] - 0.5) < 1e-9).all(axis=1)]
+
+
+def crosses_middle(surface):
+    """Returns whether a face crosses the line x = 1/2."""
+    x = surface.vertices[surface.faces][:, :, 0] - 0.5
+    return bool(((x.min(axis=1) < -ROUND_OFF) & (x.max(axis=1) > ROUND_OFF)).any())
+
+
+@pytest.mark.parametrize(
+    "mesh_of",
+    [
+        lambda grid, **named: grid.remesh(20, **named).surface,
+        lambda grid, **named: grid.base_mesh(12, **named).surface,
+        lambda grid, **named: grid.parameterize_over_base(12, **named).surface,
+        lambda grid, **named: grid.semi_regular(12, 1, **named).surface,
+    ],
+    ids=["remesh", "base mesh", "parameterization", "semi-regular mesh"],
+)
+def test_constrained_edges_are_kept(grid, mesh_of):
+    edges = middle_line(grid)
+    assert len(edges) == 10
+    assert crosses_middle(mesh_of(grid))
+    assert not crosses_middle(mesh_of(grid, constrained_edges=edges))
+    # The order of vertices and edges has no effect.
+    assert not crosses_middle(mesh_of(grid, constrained_edges=edges[::-1, ::-1].tolist()))
+
+
+def test_spacing_along_constrained_edges(grid):
+    edges = middle_line(grid)
+    counts = []
+    for spacing in (0.25, 0.125):
+        mesh = grid.remesh(
+            4, constrained_edges=edges, edge_spacing=np.full(len(edges), spacing)
+        ).surface
+        counts.append((np.abs(mesh.vertices[:, 0] - 0.5) <= ROUND_OFF).sum())
+    # A line of length 1 with k edges has k + 1 vertices. The topology can require more of them.
+    assert counts[0] >= 5 and counts[1] >= 9 and counts[0] < counts[1]
+
+
+@pytest.mark.parametrize(
+    "named",
+    [
+        {"constrained_edges": [[0, 60]]}, {"constrained_edges": [[3, 3]]},
+        {"constrained_edges": [[0, 121]]}, {"constrained_edges": [[-1, 0]]},
+        {"constrained_edges": [0, 1]}, {"constrained_edges": [[0, 1, 2]]},
+        {"constrained_edges": [[0.0, 1.0]]}, {"constrained_edges": "all"},
+        {"constrained_edges": np.empty((0, 2), int)}, {"edge_spacing": [0.1]},
+        {"constrained_edges": [[0, 1]], "edge_spacing": [0.1, 0.2]},
+        {"constrained_edges": [[0, 1]], "edge_spacing": [-0.1]},
+        {"constrained_edges": [[0, 1]], "edge_spacing": [math.inf]},
+        {"constrained_edges": [[0, 1]], "edge_spacing": 0.1},
+    ],
+)
+def test_constrained_edges_are_checked(grid, named):
+    check_error(lambda: grid.remesh(20, **named))
+
+
+def test_cloud_has_no_constrained_edges(sphere_cloud):
+    check_error(lambda: sphere_cloud.remesh(20, constrained_edges=[[0, 1]]))
+    check_error(lambda: sphere_cloud.base_mesh(20, edge_spacing=[0.1]))

@@ -8,6 +8,7 @@ import geodesic_processing as gp
 import numpy as np
 import pytest
 from conftest import face_areas, sphere_arrays, topology
+from error_test import check_error
 
 ROUND_OFF = 1e-14  # as in distance_test.py
 
@@ -253,3 +254,10 @@ def test_callbacks_cancel_sampling(surface):
     if not surface.is_cloud:
         with pytest.raises(gp.Cancelled):
             surface.voronoi_cells([0, 60], callback=stop)
+
+
+def test_method_of_segments_is_used(surface):
+    default = surface.segment(5)
+    assert np.array_equal(surface.segment(5, method="euclidean").labels, default.labels)
+    assert not np.array_equal(surface.segment(5, method="dijkstra").energies, default.energies)
+    check_error(lambda: surface.segment(5, method="exact"))

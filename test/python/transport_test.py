@@ -408,3 +408,16 @@ def test_other_transport_arguments_are_rejected():
     for field in (np.ones((9, 3)), np.ones((8, 2)), np.full((8, 3), np.nan), None, "up"):
         check_error(lambda: mesh.hodge_decomposition(field))
     check_error(lambda: cloud.hodge_decomposition(np.ones((8, 3))))
+
+
+def test_geodesic_barycenter_uses_method_and_speed_of_faces(grid):
+    locations = [3, 60, 117]
+    by_edges = grid.geodesic_barycenter(locations, method="dijkstra")
+    squares = [grid.distance(i, method="dijkstra") ** 2 for i in locations]
+    # A sum of three squares of about 1.
+    assert np.abs(by_edges.objective - sum(squares)).max() <= 1e-14
+    fast = grid.geodesic_barycenter(locations, face_speed=np.full(grid.number_of_faces, 2.0))
+    expected = grid.geodesic_barycenter(locations).objective / 4
+    assert np.abs(fast.objective - expected).max() <= 1e-13
+    for named in ({"method": "best"}, {"face_speed": np.ones(121)}):
+        check_error(lambda: grid.geodesic_barycenter(locations, **named))

@@ -10,6 +10,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
+#include <optional>
 
 namespace CGAL::Geodesic_processing {
 
@@ -21,7 +22,9 @@ double fuzzy_width(double distance, const NamedParameters& np)
 {
   if(!(distance < infinity))
     throw Invalid_argument_error("No path connects the two locations.");
-  const double result = parameter(np, internal_np::width, 0.05 * distance);
+  const std::optional<double> width =
+      parameter(np, internal_np::width, std::optional<double>()); // an empty one is the default
+  const double result = width ? *width : 0.05 * distance;
   if(!(result > 0.) || !std::isfinite(result))
     throw Invalid_argument_error("The width of a fuzzy geodesic must be positive and finite.");
   return result;

@@ -79,7 +79,9 @@ class Atlases(Base):
         *,
         texture_size: int = 1024,
         gutter_width: int = 4,
+        method: str = "auto",
         speed: ArrayLike | None = None,
+        face_speed: ArrayLike | None = None,
         max_iterations: int = 5,
         seed: int = 0,
         threads: int | None = None,
@@ -101,8 +103,13 @@ class Atlases(Base):
         gutter_width
             The minimum number of texels between two charts along one of the axes. Bilinear lookup
             needs three.
+        method
+            The front of the tessellation: ``"euclidean"``, which ``"auto"`` selects,
+            ``"fast-marching"`` or ``"dijkstra"``.
         speed
             Shape (n,): charts are smaller in regions of low speed.
+        face_speed
+            Shape (m,): the speed in the faces of a mesh, instead of ``speed``.
         max_iterations
             The maximum number of steps that move the centers of charts.
         seed
@@ -129,7 +136,9 @@ class Atlases(Base):
             1 if charts is None else charts,
             texture_size,
             gutter_width,
+            method,
             speed,
+            face_speed,
             max_iterations,
             seed,
             threads,

@@ -18,8 +18,9 @@ _LoopArrays = tuple[_Floats, _Integers, _Floats, float]
 _Cost = tuple[float, float, float, float, float, int, float, bool]
 _IsolineArrays = tuple[float, bool, _Floats, _Integers, _Floats, float]
 _LocationArrays = tuple[_Integers, _Floats]
-# n, keep_sharp, curve_spacing, relaxation_steps, first, speed, seed, callback
-_Remeshing = tuple[Any, Any, Any, Any, Any, Any, Any, Any]
+# n, keep_sharp, curve_spacing, relaxation_steps, first, speed, constrained_edges, edge_spacing,
+# seed, callback
+_Remeshing = tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]
 
 class InvalidArgumentError(ValueError): ...
 class UnsupportedSurfaceError(ValueError): ...
@@ -111,12 +112,19 @@ class _Surface(metaclass=_Type):
         number_of_neighbors: Any,
         flattening_start: Any,
         number_of_rigid_steps: Any,
+        method: Any,
         seed: Any,
         callback: Any,
         /,
     ) -> tuple[_Floats, _Integers]: ...
     def mds(
-        self, number_of_base_points: Any, base_points: Any, seed: Any, callback: Any, /
+        self,
+        number_of_base_points: Any,
+        base_points: Any,
+        method: Any,
+        seed: Any,
+        callback: Any,
+        /,
     ) -> tuple[_Floats, _Integers]: ...
     def flattening_distortion(self, uv: Any, /) -> _Distortion: ...
     def atlas(
@@ -124,7 +132,9 @@ class _Surface(metaclass=_Type):
         charts: Any,
         texture_size: Any,
         gutter_width: Any,
+        method: Any,
         speed: Any,
+        face_speed: Any,
         max_iterations: Any,
         seed: Any,
         threads: Any,
@@ -142,6 +152,7 @@ class _Surface(metaclass=_Type):
         a: Any,
         b: Any,
         width: Any,
+        method: Any,
         tolerance: Any,
         number_of_refinements: Any,
         speed: Any,
@@ -149,7 +160,7 @@ class _Surface(metaclass=_Type):
         /,
     ) -> tuple[_Floats, float, float, float, float, int, float, bool]: ...
     def fuzzy_geodesic_by_distances(
-        self, a: Any, b: Any, width: Any, speed: Any, callback: Any, /
+        self, a: Any, b: Any, width: Any, method: Any, speed: Any, callback: Any, /
     ) -> _Floats: ...
     def sparse_distance_matrix(
         self, vertices: Any, max_distance: Any, method: Any, threads: Any, callback: Any, /
@@ -186,7 +197,14 @@ class _Surface(metaclass=_Type):
         /,
     ) -> tuple[float, float, float, _Floats, int, float, bool, _Floats, _Floats]: ...
     def geodesic_barycenter(
-        self, locations: Any, weights: Any, speed: Any, callback: Any, /
+        self,
+        locations: Any,
+        weights: Any,
+        method: Any,
+        speed: Any,
+        face_speed: Any,
+        callback: Any,
+        /,
     ) -> tuple[int, float, _Floats]: ...
     def transport_to_region(
         self,
@@ -220,6 +238,7 @@ class _Surface(metaclass=_Type):
         disks: bool,
         max_iterations: Any,
         seed: Any,
+        method: Any,
         speed: Any,
         threads: Any,
         callback: Any,

@@ -72,6 +72,7 @@ class Flattenings(Base):
         number_of_neighbors: int | None = None,
         flattening_start: str = "best",
         number_of_rigid_steps: int = 30,
+        method: str = "auto",
         seed: int = 0,
         callback: Callback | None = None,
     ) -> Flattening:
@@ -110,6 +111,7 @@ class Flattenings(Base):
             number_of_neighbors,
             flattening_start,
             number_of_rigid_steps,
+            method,
             seed,
             callback,
         )
@@ -123,6 +125,7 @@ class Flattenings(Base):
         number_of_neighbors: int | None = None,
         flattening_start: str = "best",
         number_of_rigid_steps: int = 30,
+        method: str = "auto",
         seed: int = 0,
         callback: Callback | None = None,
     ) -> BaseFlattening:
@@ -144,6 +147,9 @@ class Flattenings(Base):
             (classical scaling), or ``"best"`` of both.
         number_of_rigid_steps
             The number of steps that make the neighborhoods of base points rigid.
+        method
+            The front that measures distances: ``"euclidean"``, which ``"auto"`` selects,
+            ``"fast-marching"`` or ``"dijkstra"``.
         seed
             The seed of the samples.
         callback
@@ -168,6 +174,7 @@ class Flattenings(Base):
                 number_of_neighbors,
                 flattening_start,
                 number_of_rigid_steps,
+                method,
                 seed,
                 callback,
             )
@@ -178,6 +185,7 @@ class Flattenings(Base):
         *,
         number_of_base_points: int | None = None,
         base_points: ArrayLike | None = None,
+        method: str = "auto",
         seed: int = 0,
         callback: Callback | None = None,
     ) -> BaseFlattening:
@@ -189,7 +197,7 @@ class Flattenings(Base):
         Takes two distance computations for each base point.
         """
         return BaseFlattening(
-            *self._core.mds(number_of_base_points, base_points, seed, callback)
+            *self._core.mds(number_of_base_points, base_points, method, seed, callback)
         )
 
     def flattening_distortion(self, uv: ArrayLike) -> FlatteningDistortion:

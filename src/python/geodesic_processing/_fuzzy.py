@@ -42,6 +42,7 @@ class FuzzyGeodesics(Base):
         b: OneLocation,
         width: float | None = None,
         *,
+        method: str = "interior-point",
         tolerance: float = 1e-3,
         number_of_refinements: int | None = None,
         speed: ArrayLike | None = None,
@@ -59,6 +60,8 @@ class FuzzyGeodesics(Base):
         width
             The standard deviation of the Gaussians, a length; at least an edge length is useful. By
             default, a twentieth of the distance of the locations.
+        method
+            As for ``emd()``.
         tolerance
             The gap between the bounds of the cost, relative to the upper bound, at which the
             iteration ends.
@@ -84,7 +87,7 @@ class FuzzyGeodesics(Base):
         """
         return FuzzyGeodesic(
             *self._core.fuzzy_geodesic(
-                a, b, width, tolerance, number_of_refinements, speed, callback
+                a, b, width, method, tolerance, number_of_refinements, speed, callback
             )
         )
 
@@ -94,6 +97,7 @@ class FuzzyGeodesics(Base):
         b: OneLocation,
         width: float | None = None,
         *,
+        method: str = "auto",
         speed: ArrayLike | None = None,
         callback: Callback | None = None,
     ) -> Floats:
@@ -107,6 +111,8 @@ class FuzzyGeodesics(Base):
             Locations.
         width
             A length. By default, a twentieth of the distance of the locations.
+        method
+            The method of the distances, as for ``distance()``.
         speed
             Shape (n,): the speed at the vertices; distances are travel times.
         callback
@@ -126,4 +132,4 @@ class FuzzyGeodesics(Base):
 
         Takes two distance computations.
         """
-        return self._core.fuzzy_geodesic_by_distances(a, b, width, speed, callback)
+        return self._core.fuzzy_geodesic_by_distances(a, b, width, method, speed, callback)

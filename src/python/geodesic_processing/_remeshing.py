@@ -39,8 +39,8 @@ class HoleFilling(NamedTuple):
     """A mesh whose holes are filled."""
 
     surface: Surface
-    """The new mesh. Its first faces are those of the original mesh, and its vertices are the
-    same."""
+    """The new mesh. Its vertices are those of the original mesh, and its first faces are the faces
+    of the original mesh. A face can begin at another corner."""
     new_faces: Integers
     """Shape (k,): the new faces, rows of ``surface.faces``."""
     number_of_holes: int
@@ -162,6 +162,8 @@ class Remeshing(Distances):
         too_few_samples: str = "refine",
         edge_paths: bool = False,
         speed: ArrayLike | None = None,
+        constrained_edges: ArrayLike | None = None,
+        edge_spacing: ArrayLike | None = None,
         seed: int = 0,
         callback: Callback | None = None,
     ) -> RemeshedSurface:
@@ -201,6 +203,12 @@ class Remeshing(Distances):
             Whether the paths of the edges are computed.
         speed
             Shape (n,), positive: triangles are smaller in regions of low speed.
+        constrained_edges
+            Shape (k, 2): the vertices of edges of a mesh that become chains of edges, as sharp
+            edges do. By default, there are none.
+        edge_spacing
+            Shape (k,): ``curve_spacing`` for each of the ``constrained_edges``; 0 stands for the
+            value of this argument.
         seed
             Selects the first sample, and random samples.
         callback
@@ -220,7 +228,18 @@ class Remeshing(Distances):
         front over the surface.
         """
         core, indices, coordinates, added, intersections, edges, paths = self._core.remesh(
-            (n, keep_sharp, curve_spacing, relaxation_steps, first, speed, seed, callback),
+            (
+                n,
+                keep_sharp,
+                curve_spacing,
+                relaxation_steps,
+                first,
+                speed,
+                constrained_edges,
+                edge_spacing,
+                seed,
+                callback,
+            ),
             max_deviation,
             bool(fit),
             bool(avoid_self_intersections),
@@ -287,6 +306,8 @@ class Remeshing(Distances):
         relaxation_steps: int = 0,
         first: ManyLocations | None = None,
         speed: ArrayLike | None = None,
+        constrained_edges: ArrayLike | None = None,
+        edge_spacing: ArrayLike | None = None,
         seed: int = 0,
         callback: Callback | None = None,
     ) -> BaseMesh:
@@ -299,8 +320,10 @@ class Remeshing(Distances):
         ----------
         n
             The number of base vertices; 0 requests the minimum that the topology requires.
-        keep_sharp, curve_spacing, relaxation_steps, first, speed, seed, callback
-            As for ``remesh()``. Base edges follow the boundary and sharp edges exactly.
+        keep_sharp, curve_spacing, relaxation_steps, first, speed, constrained_edges, \
+edge_spacing, seed, callback
+            As for ``remesh()``. Base edges follow the boundary, sharp edges and constrained edges
+            exactly.
 
         Raises
         ------
@@ -310,7 +333,18 @@ class Remeshing(Distances):
         Takes near-linear time in the number of vertices and in the length of base edges.
         """
         base, divided, base_faces, added = self._core.base_mesh(
-            (n, keep_sharp, curve_spacing, relaxation_steps, first, speed, seed, callback)
+            (
+                n,
+                keep_sharp,
+                curve_spacing,
+                relaxation_steps,
+                first,
+                speed,
+                constrained_edges,
+                edge_spacing,
+                seed,
+                callback,
+            )
         )
         return BaseMesh(self._new(base), self._new(divided), base_faces, added)
 
@@ -324,6 +358,8 @@ class Remeshing(Distances):
         relaxation_steps: int = 0,
         first: ManyLocations | None = None,
         speed: ArrayLike | None = None,
+        constrained_edges: ArrayLike | None = None,
+        edge_spacing: ArrayLike | None = None,
         seed: int = 0,
         callback: Callback | None = None,
     ) -> BaseParameterization:
@@ -341,13 +377,25 @@ class Remeshing(Distances):
               distances to the corners
             - ``"mean-value"``: convex combinations of the neighbors with mean value weights
             - ``"uniform"``: the mean of the neighbors
-        keep_sharp, curve_spacing, relaxation_steps, first, speed, seed, callback
+        keep_sharp, curve_spacing, relaxation_steps, first, speed, constrained_edges, \
+edge_spacing, seed, callback
             As for ``base_mesh()``.
 
         The exceptions and the time are those of ``base_mesh()``.
         """
         core = self._core.parameterize_over_base(
-            (n, keep_sharp, curve_spacing, relaxation_steps, first, speed, seed, callback),
+            (
+                n,
+                keep_sharp,
+                curve_spacing,
+                relaxation_steps,
+                first,
+                speed,
+                constrained_edges,
+                edge_spacing,
+                seed,
+                callback,
+            ),
             coordinates,
         )
         return BaseParameterization(self._new(core.base()), core)
@@ -365,6 +413,8 @@ class Remeshing(Distances):
         relaxation_steps: int = 0,
         first: ManyLocations | None = None,
         speed: ArrayLike | None = None,
+        constrained_edges: ArrayLike | None = None,
+        edge_spacing: ArrayLike | None = None,
         seed: int = 0,
         callback: Callback | None = None,
     ) -> SemiRegularMesh:
@@ -388,7 +438,8 @@ class Remeshing(Distances):
             are computed.
         coordinates
             As for ``parameterize_over_base()``.
-        keep_sharp, curve_spacing, relaxation_steps, first, speed, seed, callback
+        keep_sharp, curve_spacing, relaxation_steps, first, speed, constrained_edges, \
+edge_spacing, seed, callback
             As for ``base_mesh()``.
 
         Raises
@@ -402,7 +453,18 @@ class Remeshing(Distances):
         Takes the time of ``base_mesh()``, and linear time in the size of the new mesh.
         """
         arrays = self._core.semi_regular(
-            (n, keep_sharp, curve_spacing, relaxation_steps, first, speed, seed, callback),
+            (
+                n,
+                keep_sharp,
+                curve_spacing,
+                relaxation_steps,
+                first,
+                speed,
+                constrained_edges,
+                edge_spacing,
+                seed,
+                callback,
+            ),
             coordinates,
             levels,
             bool(quads),

@@ -213,6 +213,7 @@ class Sampling(Base):
         *,
         disks: bool = True,
         max_iterations: int = 20,
+        method: str = "auto",
         speed: ArrayLike | None = None,
         seed: int = 0,
         threads: int | None = None,
@@ -234,6 +235,8 @@ class Sampling(Base):
         max_iterations
             The maximum number of steps, and at most as many again after cells were added. They end
             if a step decreases the energy by less than a thousandth.
+        method
+            As for ``farthest_points()``.
         speed
             Shape (n,): cells are smaller in regions of low speed.
         seed
@@ -246,6 +249,13 @@ class Sampling(Base):
         Each step takes about the time of five distance computations.
         """
         labels, indices, coordinates, energies = self._core.segment(
-            n, bool(disks) and not self.is_cloud, max_iterations, seed, speed, threads, callback
+            n,
+            bool(disks) and not self.is_cloud,
+            max_iterations,
+            seed,
+            method,
+            speed,
+            threads,
+            callback,
         )
         return Segments(labels, Locations(indices, coordinates), energies)

@@ -340,12 +340,12 @@ number_of_refinements, callback
         locations: ManyLocations,
         weights: ArrayLike | None = None,
         *,
+        method: str = "auto",
         speed: ArrayLike | None = None,
+        face_speed: ArrayLike | None = None,
         callback: Callback | None = None,
     ) -> GeodesicBarycenter:
         """Computes the vertex that minimizes the weighted sum of squared distances to locations.
-
-        Distances are exact on meshes, unless speeds differ; otherwise those of a front.
 
         Parameters
         ----------
@@ -354,8 +354,8 @@ number_of_refinements, callback
         weights
             Shape (k,): the weights of the locations, not negative and not all zero. By default 1
             for each.
-        speed
-            Shape (n,): the speed at the vertices.
+        method, speed, face_speed
+            As for ``distance()``.
         callback
             A function that takes the completed fraction of the distances of one location.
 
@@ -367,7 +367,9 @@ number_of_refinements, callback
         Takes one distance computation for each location.
         """
         return GeodesicBarycenter(
-            *self._core.geodesic_barycenter(locations, weights, speed, callback)
+            *self._core.geodesic_barycenter(
+                locations, weights, method, speed, face_speed, callback
+            )
         )
 
     def transport_to_region(

@@ -23,6 +23,21 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+template <typename T>
+inline constexpr bool is_optional = false;
+template <typename T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+// Returns whether a map is given: an empty optional stands for no map.
+template <typename PropertyMap>
+bool is_given(const PropertyMap& map)
+{
+  if constexpr(is_optional<PropertyMap>)
+    return map.has_value();
+  else
+    return true;
+}
+
 // #triangles: 1 / speed of each triangle; null if the speed is 1 everywhere.
 using Shared_slowness = std::shared_ptr<const std::vector<double>>;
 
@@ -48,7 +63,7 @@ Shared_slowness vertex_slowness(const Domain& domain, const std::optional<SpeedM
   return speed ? vertex_slowness(domain, *speed) : nullptr;
 }
 
-// Reads the speeds of faces.
+// Reads the speeds of faces. An empty optional stands for no map.
 template <typename Domain, typename FaceSpeedMap>
 Shared_slowness face_slowness(const Domain& domain, const FaceSpeedMap& speed)
 {
@@ -61,14 +76,28 @@ Shared_slowness face_slowness(const Domain& domain, const FaceSpeedMap& speed)
   return shared_slowness(domain.face_slowness(speed));
 }
 
-// Reads the named parameter `speed_map` or `face_speed_map`.
+template <typename Domain, typename FaceSpeedMap>
+Shared_slowness face_slowness(const Domain& domain, const std::optional<FaceSpeedMap>& speed)
+{
+  return speed ? face_slowness(domain, *speed) : nullptr;
+}
+
+// Reads the named parameter `speed_map` or `face_speed_map`. Both can be passed as optionals if at
+// most one of them has a value.
 template <typename Domain, typename NamedParameters>
 Shared_slowness read_slowness(const Domain& domain, const NamedParameters& np)
 {
   constexpr bool at_vertices = has_parameter<NamedParameters, internal_np::speed_map_t>;
   constexpr bool in_faces = has_parameter<NamedParameters, internal_np::face_speed_map_t>;
-  static_assert(!(at_vertices && in_faces), "Pass speed_map or face_speed_map, not both.");
-  if constexpr(at_vertices)
+  if constexpr(at_vertices && in_faces)
+  {
+    auto vertex_speed = parameter(np, internal_np::speed_map, none);
+    auto face_speed = parameter(np, internal_np::face_speed_map, none);
+    static_assert(is_optional<decltype(vertex_speed)> && is_optional<decltype(face_speed)>,
+                  "Pass speed_map or face_speed_map, not both.");
+    return face_speed ? face_slowness(domain, face_speed) : vertex_slowness(domain, vertex_speed);
+  }
+  else if constexpr(at_vertices)
     return vertex_slowness(domain, parameter(np, internal_np::speed_map, none));
   else if constexpr(in_faces)
     return face_slowness(domain, parameter(np, internal_np::face_speed_map, none));

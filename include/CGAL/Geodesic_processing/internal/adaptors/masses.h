@@ -123,49 +123,78 @@ void multiply_by_metric(const Surface_arrays& t, const Metric& metric,
   }
 }
 
+// Multiplies the kernels' metric by the metrics of vertices or surfels; see multiply_by_metric().
+// An empty optional stands for no map.
+template <typename Domain, typename MetricMap>
+void multiply_by_vertex_metric(const Domain& domain, const MetricMap& map,
+                               std::vector<Metric_tensor>& result)
+{
+  static_assert(is_keyed_by<MetricMap, typename Domain::Vertex>,
+                "metric_map is a property map with vertices or surfels as keys. Pass metrics of "
+                "faces as face_metric_map.");
+  const Surface_arrays& t = *domain.triangles();
+  const auto mean_metric = [&](Index triangle)
+  {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += get(map, domain.vertex(t.corner[3 * std::size_t(triangle) + k]));
+    return Eigen::Matrix3d(sum / 3.);
+  };
+  multiply_by_metric(t, mean_metric, result);
+}
+template <typename Domain, typename MetricMap>
+void multiply_by_vertex_metric(const Domain& domain, const std::optional<MetricMap>& map,
+                               std::vector<Metric_tensor>& result)
+{
+  if(map)
+    multiply_by_vertex_metric(domain, *map, result);
+}
+
+// As multiply_by_vertex_metric(), for metrics of faces.
+template <typename Domain, typename FaceMetricMap>
+void multiply_by_face_metric(const Domain& domain, const FaceMetricMap& map,
+                             std::vector<Metric_tensor>& result)
+{
+  using Surface = typename Domain::Surface;
+  static_assert(!Is_cloud<Surface>::value,
+                "A cloud has no faces; pass metrics of surfels as metric_map.");
+  static_assert(is_keyed_by<FaceMetricMap, typename boost::graph_traits<Surface>::face_descriptor>,
+                "face_metric_map is a property map with faces as keys. Pass metrics of vertices as "
+                "metric_map.");
+  multiply_by_metric(
+      *domain.triangles(), [&](Index triangle) { return get(map, domain.face(triangle)); }, result);
+}
+template <typename Domain, typename FaceMetricMap>
+void multiply_by_face_metric(const Domain& domain, const std::optional<FaceMetricMap>& map,
+                             std::vector<Metric_tensor>& result)
+{
+  if(map)
+    multiply_by_face_metric(domain, *map, result);
+}
+
 // #triangles: returns the tensors A of the kernels' metric, by which lengths of vectors v are
 // |A v|, from the named parameters of speeds and metrics; empty if all are missing. A is the
-// square root of the metric divided by the speed. Throws Invalid_argument_error if a speed is
-// invalid or a metric is not positive definite. O(n).
+// square root of the metric divided by the speed. Metrics of vertices and of faces can both be
+// passed as optionals if at most one of them has a value. Throws Invalid_argument_error if a speed
+// is invalid or a metric is not positive definite. O(n).
 template <typename Domain, typename NamedParameters>
 std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParameters& np)
 {
   constexpr bool at_vertices = has_parameter<NamedParameters, internal_np::metric_map_t>;
   constexpr bool in_faces = has_parameter<NamedParameters, internal_np::face_metric_map_t>;
-  static_assert(!(at_vertices && in_faces), "Pass metric_map or face_metric_map, not both.");
-  const Surface_arrays& t = *domain.triangles();
   std::vector<Metric_tensor> result;
   if(const auto slowness = read_slowness(domain, np))
     for(const double slow : *slowness)
       result.push_back({slow, 0., slow});
+  [[maybe_unused]] auto vertex_metric = parameter(np, internal_np::metric_map, none);
+  [[maybe_unused]] auto face_metric = parameter(np, internal_np::face_metric_map, none);
+  static_assert(!(at_vertices && in_faces) ||
+                    (is_optional<decltype(vertex_metric)> && is_optional<decltype(face_metric)>),
+                "Pass metric_map or face_metric_map, not both.");
   if constexpr(at_vertices)
-  {
-    const auto map = parameter(np, internal_np::metric_map, none);
-    static_assert(is_keyed_by<std::remove_const_t<decltype(map)>, typename Domain::Vertex>,
-                  "metric_map is a property map with vertices or surfels as keys. Pass metrics of "
-                  "faces as face_metric_map.");
-    const auto mean_metric = [&](Index triangle)
-    {
-      Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-      for(std::size_t k = 0; k < 3; ++k)
-        sum += get(map, domain.vertex(t.corner[3 * std::size_t(triangle) + k]));
-      return Eigen::Matrix3d(sum / 3.);
-    };
-    multiply_by_metric(t, mean_metric, result);
-  }
-  else if constexpr(in_faces)
-  {
-    using Surface = typename Domain::Surface;
-    static_assert(!Is_cloud<Surface>::value,
-                  "A cloud has no faces; pass metrics of surfels as metric_map.");
-    const auto map = parameter(np, internal_np::face_metric_map, none);
-    static_assert(is_keyed_by<std::remove_const_t<decltype(map)>,
-                              typename boost::graph_traits<Surface>::face_descriptor>,
-                  "face_metric_map is a property map with faces as keys. Pass metrics of vertices "
-                  "as metric_map.");
-    multiply_by_metric(
-        t, [&](Index triangle) { return get(map, domain.face(triangle)); }, result);
-  }
+    multiply_by_vertex_metric(domain, vertex_metric, result);
+  if constexpr(in_faces)
+    multiply_by_face_metric(domain, face_metric, result);
   return result;
 }
 

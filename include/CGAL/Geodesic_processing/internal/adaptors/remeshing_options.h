@@ -12,13 +12,14 @@
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
 // Calls visit(h, value) for each halfedge of the domain with the value of its edge in an edge map
-// of the mesh.
+// of the mesh. An empty optional stands for no map.
 template <typename Domain, typename EdgeMap, typename Visitor>
 void for_each_halfedge(const Domain& domain, const EdgeMap& map, const Visitor& visit)
 {
@@ -31,6 +32,14 @@ void for_each_halfedge(const Domain& domain, const EdgeMap& map, const Visitor& 
     for(Index i = 3 * f; i < 3 * f + 3; ++i, h = next(h, mesh))
       visit(i, get(map, edge(h, mesh)));
   }
+}
+
+template <typename Domain, typename EdgeMap, typename Visitor>
+void for_each_halfedge(const Domain& domain, const std::optional<EdgeMap>& map,
+                       const Visitor& visit)
+{
+  if(map)
+    for_each_halfedge(domain, *map, visit);
 }
 
 // Returns for each halfedge whether a remeshing must keep its edge: boundary edges, sharp edges,
@@ -60,13 +69,14 @@ std::vector<double> halfedge_spacing(const Domain& domain, const NamedParameters
       throw Invalid_argument_error("A spacing along feature edges is negative or not finite.");
     return spacing;
   };
+  const auto map = parameter(np, internal_np::edge_spacing_map, 0);
   constexpr bool has_map = has_parameter<NamedParameters, internal_np::edge_spacing_map_t>;
   const double uniform_spacing = checked(parameter(np, internal_np::curve_spacing, 0.)) / scale;
   std::vector<double> result;
-  if(has_map || uniform_spacing > 0.)
+  if((has_map && is_given(map)) || uniform_spacing > 0.)
     result.assign(domain.triangles()->corner.size(), uniform_spacing);
   if constexpr(has_map)
-    for_each_halfedge(domain, parameter(np, internal_np::edge_spacing_map, 0),
+    for_each_halfedge(domain, map,
                       [&](Index i, double spacing)
                       {
                         if(checked(spacing) > 0.)

@@ -8,6 +8,8 @@
 #include <CGAL/Geodesic_processing/internal/transport/Multilevel_transport_solver.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
+#include <optional>
+
 namespace CGAL::Geodesic_processing::internal {
 
 // Reads `tolerance`, `maximum_number_of_iterations`, `callback` and `do_bound_from_above`. The
@@ -23,12 +25,14 @@ Transport_options transport_options(const NamedParameters& np)
   return result;
 }
 
-// Reads `number_of_refinements`, whose default depends on the number of vertices.
+// Reads `number_of_refinements`. The default, also for an empty optional, depends on the number of
+// vertices.
 template <typename Domain, typename NamedParameters>
 unsigned number_of_refinements(const Domain& domain, const NamedParameters& np)
 {
-  return parameter(np, internal_np::number_of_refinements,
-                   default_number_of_refinements(*domain.triangles()));
+  const std::optional<unsigned> result =
+      parameter(np, internal_np::number_of_refinements, std::optional<unsigned>());
+  return result ? *result : default_number_of_refinements(*domain.triangles());
 }
 
 // Writes potential and flow of a result to `potential_map` and `flow_map`, if these are set.
