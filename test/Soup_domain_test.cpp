@@ -61,7 +61,14 @@ void expect_faces_of_mesh(const GP::Soup_domain<Point_3>& domain,
   std::vector<std::array<std::size_t, 3>> corners; // read before the mesh is built
   for(std::size_t f = 0; f < domain.number_of_faces(); ++f)
     corners.push_back(domain.corners(Mesh::Face_index(Mesh::size_type(f))));
+  const auto expect_points = [&]
+  {
+    for(std::size_t i = 0; i < points.size(); ++i)
+      EXPECT_EQ(domain.point(Mesh::Vertex_index(Mesh::size_type(i))), points[i]);
+  };
+  expect_points();
   const Mesh& mesh = domain.mesh();
+  expect_points();
   ASSERT_EQ(mesh.number_of_faces(), corners.size());
   ASSERT_EQ(mesh.number_of_vertices(), points.size());
   for(const Mesh::Face_index face : mesh.faces())

@@ -329,6 +329,44 @@ TEST(Surfel_domain, uses_about_260_bytes_per_surfel)
   EXPECT_LE(bytes, 250 * surfels.size());
 }
 
+void expect_equal(const GP::Surfel_domain<Surfels>& a, const GP::Surfel_domain<Surfels>& b)
+{
+  const GP::internal::Surfel_arrays &s = a.surfels(), &t = b.surfels();
+  EXPECT_EQ(s.arrays.origin, t.arrays.origin);
+  EXPECT_EQ(s.arrays.scale, t.arrays.scale);
+  EXPECT_EQ(s.arrays.point, t.arrays.point);
+  EXPECT_EQ(s.arrays.normal, t.arrays.normal);
+  EXPECT_EQ(s.arrays.corner, t.arrays.corner);
+  EXPECT_EQ(s.arrays.length, t.arrays.length);
+  EXPECT_EQ(s.arrays.weight, t.arrays.weight);
+  EXPECT_EQ(s.arrays.graph.begin, t.arrays.graph.begin);
+  EXPECT_EQ(s.arrays.graph.target, t.arrays.graph.target);
+  EXPECT_EQ(s.radius, t.radius);
+  EXPECT_EQ(s.internal_vertex, t.internal_vertex);
+  EXPECT_EQ(s.caller_vertex, t.caller_vertex);
+}
+
+TEST(Surfel_domain, is_built_again_from_its_frame_without_round_off_errors)
+{
+  using Domain = GP::Surfel_domain<Surfels>;
+  Surfels surfels = sphere_surfels(3);
+  surfels.insert(surfels.end(), surfels.begin(), surfels.begin() + 20); // coincident surfels
+  for(auto& [point, normal] : surfels)
+  {
+    point = Kernel::Point_3(0.1 + 0.37 * point.x(), 5.3 + 0.37 * point.y(), 0.37 * point.z() - 3.7);
+    normal = 3. * normal;
+  }
+  const auto again = [&](const Domain& domain)
+  { return Domain(surfels, domain.framed_surfels(), GP::parameters::number_of_threads(2u)); };
+  const Domain domain(surfels, maps);
+  expect_equal(again(domain), domain);
+  expect_equal(again(again(domain)), domain);
+  const auto radius = boost::make_function_property_map<Surfels::value_type>(
+      [](const Surfels::value_type& surfel) { return 0.02 + 0.01 * surfel.first.x(); });
+  const Domain with_radii(surfels, maps.radius_map(radius));
+  expect_equal(again(with_radii), with_radii);
+}
+
 TEST(Surfel_domain, throws_on_invalid_input)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -103,11 +103,12 @@ Output_map<Key, std::int64_t> label_map(py::array_t<std::int64_t>& labels)
 }
 
 // Returns the coordinates of points, one row each.
-inline py::array_t<double> point_array(const std::vector<Kernel::Point_3>& points)
+template <typename Point>
+py::array_t<double> point_array(const std::vector<Point>& points)
 {
   py::array_t<double> result(Shape{py::ssize_t(points.size()), 3});
   double* next = result.mutable_data();
-  for(const Kernel::Point_3& p : points)
+  for(const Point& p : points)
     for(int k = 0; k < 3; ++k)
       *next++ = p[k];
   return result;
@@ -655,7 +656,7 @@ private:
     if constexpr(is_cloud)
       return m_domain.point({vertex, {0., 0.}});
     else
-      return m_domain.mesh().point(vertex);
+      return m_domain.point(vertex);
   }
 
   static constexpr const char* element_name = is_cloud ? "surfel" : "face";

@@ -3,10 +3,18 @@
 #include "python/Cloud_surface.h"
 #include "python/Solver.h"
 #include "python/read_surface.h"
+#include "python/vectors.h"
 
 #include <CGAL/Geodesic_processing/estimate_surfels.h>
 
 #include <boost/property_map/function_property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace python {
 
@@ -85,6 +93,57 @@ std::shared_ptr<Cloud_surface> cloud_of_arrays(const py::object& P, const py::ob
   return result;
 }
 
+// Not public: Points of the caller have round-off errors when they are converted to the frame of a
+// domain. No public function uses the points in this frame.
+using GP::internal::Framed_surfels;
+
+// Returns the points in the frame of the cloud, the normals and the radii, and the origin and the
+// scale of the frame. The radii are None if they were not given.
+py::tuple content(const Cloud_surface& surface)
+{
+  const Framed_surfels found = surface.domain().framed_surfels();
+  py::object radii = py::none();
+  if(!found.input.radii.empty())
+    radii = number_array(found.input.radii);
+  return py::make_tuple(point_array(found.input.points), point_array(found.input.normals), radii,
+                        coordinate_array(found.frame.origin), found.frame.scale);
+}
+
+// Returns the rows of an array with three columns.
+std::vector<std::array<double, 3>> rows_of(const py::object& object, const std::string& name)
+{
+  const Numbers numbers(object, name, {any, 3});
+  std::vector<std::array<double, 3>> result;
+  for(std::size_t i = 0; i < numbers.size(); ++i)
+    result.push_back({numbers(i, 0), numbers(i, 1), numbers(i, 2)});
+  return result;
+}
+
+// Returns the cloud of a content. Its results are those of the original cloud, to the last bit.
+std::shared_ptr<Cloud_surface> cloud_of_content(const py::object& points, const py::object& normals,
+                                                const py::object& radii, const py::object& origin,
+                                                const py::object& scale)
+{
+  Framed_surfels surfels;
+  surfels.input = {rows_of(points, "points"), rows_of(normals, "normals"), {}};
+  if(!radii.is_none())
+    surfels.input.radii = numbers_of(radii, "radii");
+  const Kernel::Vector_3 o = vector(origin, "origin");
+  surfels.frame = {{o[0], o[1], o[2]}, number(scale, "scale")};
+  const std::size_t size = surfels.input.points.size();
+  std::shared_ptr<Cloud_surface> result;
+  Computation computation;
+  const auto np =
+      GP::parameters::number_of_threads(parse_threads(py::none())).callback(computation.callback());
+  computation.run(
+      [&]
+      {
+        result = std::make_shared<Cloud_surface>(Cloud_domain(Cloud{size}, std::move(surfels), np),
+                                                 size);
+      });
+  return result;
+}
+
 // Returns the labels of surfels.
 py::array_t<std::int64_t> voronoi(const Cloud_surface& surface, const py::object& seeds,
                                   const py::object& method, const py::object& speed,
@@ -130,7 +189,7 @@ py::object cloud_of_file(const program::Surface_file& file)
 void bind_cloud(py::module_& module)
 {
   Cloud_class cloud = bind_surface<Cloud_domain>(module, "Cloud", "Cloud_solver");
-  cloud.def("voronoi", &voronoi);
+  cloud.def("voronoi", &voronoi).def("content", &content);
   bind_atlas(cloud);
   bind_base_meshes(module, cloud);
   bind_curvature(cloud);
@@ -145,6 +204,7 @@ void bind_cloud(py::module_& module)
   bind_sampling(cloud);
   bind_transport(cloud);
   module.def("make_cloud", &cloud_of_arrays);
+  module.def("cloud_of_content", &cloud_of_content);
 }
 
 } // namespace python

@@ -289,12 +289,17 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
   Surfel_arrays result;
   Surface_arrays& t = result.arrays;
   const Compatibility_test compatibility_test = {std::cos(options.maximum_angle)};
-  normalize(normals);
+  Frame centered; // of points that are relative to the origin
+  if(options.frame)
+    centered.scale = options.frame->scale;
+  else
+    normalize(normals);
   begin_step();
-  Sorted_surfels sorted = sort_surfels(std::move(points), normals, compatibility_test.cosine,
-                                       options.number_of_threads);
-  t.origin = sorted.frame.origin;
-  t.scale = sorted.frame.scale;
+  Sorted_surfels sorted =
+      sort_surfels(std::move(points), normals, compatibility_test.cosine, options.number_of_threads,
+                   options.frame ? &centered : nullptr);
+  t.origin = options.frame ? options.frame->origin : sorted.frame.origin;
+  t.scale = result.frame_scale = sorted.frame.scale;
   std::vector<Index> copies, original; // the surfels of the copies, and their vertices
   std::vector<Vec3> copy_normals;
   for(Index i = 0; i < n; ++i)

@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tracemalloc
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 
@@ -114,8 +115,20 @@ def half():
     return gp.Surface(V, F).split_at_isolines(V[:, 2], [0.05]).surface
 
 
+def cloud_of_coincident_surfels():
+    V = sphere_arrays(3)[0]
+    # Coordinates of the cloud have round-off errors in its frame, which has another origin.
+    V = 0.37 * np.concatenate([V, V[:20], V[:3]]) + [0.1, 5.3, -3.7]
+    return gp.Surface(V, radii=np.linspace(0.02, 0.2, len(V)))
+
+
+def merged():
+    V, F = sphere_arrays(2)
+    return gp.Surface(np.concatenate(V[F]), np.arange(3 * len(F)).reshape(-1, 3), merge_tolerance=0)
+
+
 MAKERS = [
-    quads, damaged, polygons, cloud_with_radii, half,
+    quads, damaged, polygons, cloud_with_radii, cloud_of_coincident_surfels, half, merged,
     lambda: gp.Surface(sphere_arrays(3)[0]),
     lambda: gp.Surface(np.asfortranarray(sphere_arrays(2)[0]), sphere_arrays(2)[1][::-1]),
 ]
@@ -127,6 +140,7 @@ def test_pickled_surface_is_equal(make):
     copy = pickle.loads(pickle.dumps(surface))
     assert type(copy) is gp.Surface and copy.content_hash == surface.content_hash
     assert make().content_hash == surface.content_hash
+    assert np.array_equal(copy.vertices, surface.vertices)
     assert np.array_equal(copy.distance([0, 7]), surface.distance([0, 7]))
     if not surface.is_cloud:
         assert np.array_equal(copy.faces, surface.faces) and copy.report == surface.report
@@ -141,6 +155,26 @@ def test_hash_depends_on_content():
         gp.Surface(V, F, merge_tolerance=0.0), gp.Surface(V, F, remove_degenerate_faces=True),
     ]
     assert len({surface.content_hash for surface in surfaces}) == len(surfaces)
+
+
+def test_hash_does_not_depend_on_types_and_strides():
+    V, F = (array.astype(np.float32) for array in grid_arrays(5))
+    expected = gp.Surface(V, F.astype(np.int64)).content_hash
+    assert gp.Surface(V.astype(float), F.astype(np.uint32)).content_hash == expected
+    assert gp.Surface(np.asfortranarray(V), F.astype(np.int32).tolist()).content_hash == expected
+
+
+@pytest.mark.parametrize("is_cloud", [False, True])
+def test_surface_keeps_no_arrays(is_cloud):
+    V, F = grid_arrays(60)
+    tracemalloc.start()
+    try:
+        surface = gp.Surface(V) if is_cloud else gp.Surface(V, F)
+        size, _ = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    # NumPy reports its arrays. A copy of the points has 86,400 bytes; objects of Python are smaller.
+    assert surface.number_of_points == 3600 and size < 20000
 
 
 def test_pickled_surface_does_not_depend_on_changed_arrays():

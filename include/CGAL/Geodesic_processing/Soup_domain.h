@@ -78,6 +78,15 @@ public:
     return m_content->polygon.empty() ? std::size_t(face) : m_content->polygon[face];
   }
 
+  using Base::point;
+  /// Returns the point of a vertex of the mesh, a point of the soup. Does not build the mesh. O(1).
+  /// \param vertex a vertex of `mesh()`
+  Point point(typename Surface_mesh<Point>::Vertex_index vertex) const
+  {
+    const auto points = m_content->points.lock();
+    return points ? (*points)[vertex] : this->mesh().point(vertex);
+  }
+
   /// Returns the number of faces of the mesh. Does not build the mesh. O(1).
   std::size_t number_of_faces() const { return this->m_data->faces.size(); }
 
@@ -97,9 +106,11 @@ private:
   struct Content
   {
     Soup_report report;
-    std::vector<Index> polygon; // #faces; see Soup_arrays
+    std::vector<Index> polygon;                     // #faces; see Soup_arrays
+    std::weak_ptr<const std::vector<Point>> points; // deleted when the mesh is built
   };
-  void initialize(std::size_t number_of_points, internal::Soup_arrays soup);
+  void initialize(std::size_t number_of_points, internal::Soup_arrays soup,
+                  const std::shared_ptr<const std::vector<Point>>& points);
 
   std::shared_ptr<const Content> m_content;
 };
@@ -160,23 +171,24 @@ Soup_domain<Point>::Soup_domain(const PointRange& points, const PolygonRange& po
   options.callback = internal::read_throwing_callback(np);
   internal::Soup_arrays arrays = internal::build_soup_arrays(std::move(soup), options);
 
-  std::vector<Point> points_of_mesh;
+  const auto points_of_mesh = std::make_shared<std::vector<Point>>();
   const auto copy_points = [&]
   {
-    points_of_mesh.reserve(number_of_points);
+    points_of_mesh->reserve(number_of_points);
     for(const auto& element : points)
-      points_of_mesh.push_back(get(point_map, element));
+      points_of_mesh->push_back(get(point_map, element));
   };
   internal::run_both(number_of_threads, copy_points,
-                     [&] { initialize(number_of_points, std::move(arrays)); });
+                     [&] { initialize(number_of_points, std::move(arrays), points_of_mesh); });
   using Mesh = Surface_mesh<Point>;
   this->m_mesh_of_soup = std::make_shared<const internal::Lazy_mesh<Mesh>>(
-      [points = std::move(points_of_mesh), triangles = this->m_triangles, data = this->m_data]
-      { return internal::soup_mesh(points, *triangles, data->vertices, data->faces); });
+      [points = points_of_mesh, triangles = this->m_triangles, data = this->m_data]
+      { return internal::soup_mesh(*points, *triangles, data->vertices, data->faces); });
 }
 
 template <typename Point>
-void Soup_domain<Point>::initialize(std::size_t number_of_points, internal::Soup_arrays soup)
+void Soup_domain<Point>::initialize(std::size_t number_of_points, internal::Soup_arrays soup,
+                                    const std::shared_ptr<const std::vector<Point>>& points)
 {
   using Mesh = Surface_mesh<Point>;
   using Vertex = typename Mesh::Vertex_index;
@@ -219,7 +231,8 @@ void Soup_domain<Point>::initialize(std::size_t number_of_points, internal::Soup
     data.face_range = {Face(0), Face(static_cast<Index>(data.faces.size() - 1))};
   this->m_triangles = std::make_shared<const internal::Surface_arrays>(std::move(mesh.arrays));
   this->m_data = std::make_shared<const typename Base::Data>(std::move(data));
-  m_content = std::make_shared<const Content>(Content{soup.report, std::move(soup.polygon)});
+  m_content =
+      std::make_shared<const Content>(Content{soup.report, std::move(soup.polygon), points});
 }
 
 namespace internal {

@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -113,6 +114,10 @@ public:
   const internal::Surfel_arrays& surfels() const { return m_data->surfels; }
   const internal::Surfel_descriptors<Surface>& descriptors() const { return m_data->descriptors; }
   internal::Surfel_input surfel_input() const;
+  internal::Framed_surfels framed_surfels() const;
+  template <typename NamedParameters>
+  Surfel_domain(const SurfelRange& range, internal::Framed_surfels surfels,
+                const NamedParameters& np);
   internal::Index index(Vertex surfel) const;
   Vertex vertex(internal::Index index) const
   {
@@ -142,6 +147,11 @@ public:
   /// \endcond
 
 private:
+  template <typename NamedParameters>
+  void build(const SurfelRange& range, internal::Surfel_input input,
+             const std::optional<internal::Frame>& frame, const NamedParameters& np);
+  template <typename Point_of>
+  internal::Surfel_input surfel_input(const Point_of& point_of) const;
   internal::Tangent_location scaled(const Location& location) const;
 
   struct Data
@@ -161,12 +171,31 @@ Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range, const NamedP
 {
   static_assert(!internal::has_parameter<NamedParameters, CGAL::internal_np::geom_traits_t>,
                 "The kernel is that of the range, see Surfel_kernel: geom_traits is not used.");
-  auto data = std::make_shared<Data>();
-  data->descriptors = internal::Surfel_descriptors<Surface>(range);
-  internal::Surfel_input input = internal::read_surfels(range, np);
+  build(range, internal::read_surfels(range, np), std::nullopt, np);
+}
+
+// Builds the domain again from framed_surfels(). Both are equal to the last bit.
+template <typename SurfelRange>
+template <typename NamedParameters>
+Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range,
+                                          internal::Framed_surfels surfels,
+                                          const NamedParameters& np)
+{
+  build(range, std::move(surfels.input), surfels.frame, np);
+}
+
+template <typename SurfelRange>
+template <typename NamedParameters>
+void Surfel_domain<SurfelRange>::build(const SurfelRange& range, internal::Surfel_input input,
+                                       const std::optional<internal::Frame>& frame,
+                                       const NamedParameters& np)
+{
   internal::Surfel_options options;
+  options.frame = frame;
   options.number_of_threads = internal::parameter(np, internal_np::number_of_threads, 1u);
   options.callback = internal::read_throwing_callback(np);
+  auto data = std::make_shared<Data>();
+  data->descriptors = internal::Surfel_descriptors<Surface>(range);
   data->has_given_radii = !input.radii.empty();
   data->surfels = internal::build_surfel_arrays(std::move(input.points), std::move(input.normals),
                                                 input.radii, options);
@@ -178,11 +207,32 @@ Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range, const NamedP
 template <typename SurfelRange>
 internal::Surfel_input Surfel_domain<SurfelRange>::surfel_input() const
 {
+  return surfel_input(
+      [&t = m_data->surfels.arrays](internal::Index vertex) {
+        return internal::coordinates(t, {internal::none, vertex, {}});
+      });
+}
+
+// Returns the surfels in the frame of the arrays. The scale is a power of two, so that there are no
+// round-off errors.
+template <typename SurfelRange>
+internal::Framed_surfels Surfel_domain<SurfelRange>::framed_surfels() const
+{
+  using namespace internal;
+  const Surface_arrays& t = m_data->surfels.arrays;
+  return {surfel_input([&t](Index vertex) { return t.scale * t.point[vertex]; }),
+          {t.origin, m_data->surfels.frame_scale}};
+}
+
+template <typename SurfelRange>
+template <typename Point_of>
+internal::Surfel_input Surfel_domain<SurfelRange>::surfel_input(const Point_of& point_of) const
+{
   const internal::Surfel_arrays& surfels = m_data->surfels;
   internal::Surfel_input result;
   for(const internal::Index i : surfels.internal_vertex)
   {
-    result.points.push_back(internal::coordinates(surfels.arrays, {internal::none, i, {}}));
+    result.points.push_back(point_of(i));
     result.normals.push_back(surfels.arrays.normal[i]);
     if(m_data->has_given_radii)
       result.radii.push_back(surfels.arrays.scale * surfels.radius[i]);

@@ -6,10 +6,9 @@ from __future__ import annotations
 
 import hashlib
 import pickle
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ._content import Content
+from ._content import Content, MakeContent, content_of
 from ._core import Cloud, Mesh, UnsupportedSurfaceError
 from ._types import Floats
 
@@ -23,32 +22,23 @@ class Base:
     """A surface of the extension. The functions of a topic are in a subclass."""
 
     _core: Mesh | Cloud
-    _make_content: Callable[[], Content] | None = None
+    _make_content: MakeContent | None = None
     _hash: str | None = None
 
     @classmethod
     def _of(
-        cls: type[_Surface], core: Mesh | Cloud, content: Callable[[], Content] | None = None
+        cls: type[_Surface], core: Mesh | Cloud, make_content: MakeContent | None = None
     ) -> _Surface:
-        """Returns a surface. By default, it is a mesh that was constructed without repairs."""
+        """Returns a surface. By default, its content is ``content_of(core)``."""
         result = cls.__new__(cls)
         result._core = core
-        result._make_content = content
+        result._make_content = make_content
         return result
 
-    def _construct(self, content: Content, callback: Any = None) -> None:
-        """Constructs the surface, and keeps copies of the arrays for ``pickle``."""
-        self._core = content.core(callback)
-        copy = content.copy()
-        self._make_content = lambda: copy
-
-    def _content(self) -> Content:
-        if self._make_content is not None:
-            return self._make_content()
-        return Content("make_mesh", (self.vertices, self._mesh("pickle").faces(), None, None, False))
-
     def __reduce__(self) -> tuple[Any, ...]:
-        return _of_content, (type(self), self._content())
+        make_content = self._make_content
+        content = content_of(self._core) if make_content is None else make_content()
+        return _of_content, (type(self), content)
 
     @property
     def content_hash(self) -> str:
@@ -89,4 +79,4 @@ class Base:
 
 
 def _of_content(cls: type[_Surface], content: Content) -> _Surface:
-    return cls._of(content.core(), lambda: content)
+    return cls._of(*content.construct())

@@ -19,27 +19,67 @@ class Content(NamedTuple):
     """All that is needed to construct a surface again, in another process."""
 
     constructor: str
-    """A function of the extension, or ``"read_bytes"``."""
+    """``"make_mesh"``, ``"cloud_of_content"`` or ``"read_bytes"``."""
     arguments: tuple[Any, ...]
-    """Its arguments except for the callback."""
+    """The arguments of this function."""
 
-    def core(self, callback: Any = None) -> Mesh | Cloud:
-        """Constructs the surface of the extension."""
+    def construct(self) -> tuple[Mesh | Cloud, MakeContent]:
+        """Constructs the surface of the extension. Its content is this one."""
+        if self.constructor == "make_mesh":
+            return make_mesh(*self.arguments)
         if self.constructor == "read_bytes":
-            return _read_bytes(*self.arguments)
-        core: Mesh | Cloud = getattr(_core, self.constructor)(*self.arguments, callback)
-        return core
-
-    def copy(self) -> Content:
-        """Returns a content with copies of the arrays."""
-        return Content(self.constructor, tuple(map(_copied, self.arguments)))
+            return _read_bytes(*self.arguments), lambda: self
+        core = _core.cloud_of_content(*self.arguments)
+        return core, lambda: content_of(core)
 
 
-def _copied(argument: Any) -> Any:
-    """Returns a copy of an array, or of what is converted to an array."""
-    if argument is None or isinstance(argument, (bool, int, float)):
-        return argument
-    return np.array(argument, order="C")
+MakeContent = Callable[[], Content]
+"""Makes the content of a surface when it is needed: most surfaces are never sent to a process."""
+
+
+def content_of(core: Mesh | Cloud) -> Content:
+    """Returns the content of a cloud, or of a mesh that is constructed without repairs."""
+    if isinstance(core, Cloud):
+        return Content("cloud_of_content", core.content())
+    return Content("make_mesh", (core.vertices(), core.faces(), None, None, False))
+
+
+# The repairs after which the faces of a mesh do not determine the polygons.
+_REPAIRS = (
+    "number_of_triangulated_polygons",
+    "number_of_degenerate_faces",
+    "number_of_duplicate_triangles",
+    "number_of_reversed_triangles",
+)
+
+
+def make_mesh(
+    V: Any,
+    F: Any,
+    offsets: Any,
+    merge_tolerance: Any,
+    remove_degenerate_faces: bool,
+    callback: Any = None,
+) -> tuple[Mesh, MakeContent]:
+    """Constructs a mesh of the extension.
+
+    The content refers to the mesh, which has all points, and all polygons that needed no repair. If
+    polygons are repaired, it has a copy of them.
+    """
+    core = _core.make_mesh(V, F, offsets, merge_tolerance, remove_degenerate_faces, callback)
+    report = core.report()
+    polygons: tuple[Any, Any] | None = None
+    if any(report[name] > 0 for name in _REPAIRS):
+        # Corners are smaller than 2^32, the maximum number of points.
+        corners = np.array(F, np.uint32, order="C")
+        polygons = corners, None if offsets is None else np.array(offsets, np.int64)
+
+    def content() -> Content:
+        faces = (core.faces(), None) if polygons is None else polygons
+        arguments = (core.vertices(), *faces, merge_tolerance, remove_degenerate_faces)
+        return Content("make_mesh", arguments)
+
+    return core, content
 
 
 def _read_bytes(name: str, content: bytes) -> Mesh | Cloud:
@@ -51,7 +91,7 @@ def _read_bytes(name: str, content: bytes) -> Mesh | Cloud:
         return _core.read(path)
 
 
-def file_content(path: str) -> Callable[[], Content]:
+def file_content(path: str) -> MakeContent:
     """Returns a function that reads the bytes of a file. It fails if the file has changed."""
     path = os.path.abspath(path)
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._content import Content
+from ._content import make_mesh
 from ._core import InvalidArgumentError
 from ._surface import Surface
 
@@ -61,10 +61,9 @@ def as_surface(
             merge_tolerance=merge_tolerance,
             remove_degenerate_faces=remove_degenerate_faces,
         )
-    result = Surface.__new__(Surface)
-    arguments = (points, corners, offsets, merge_tolerance, bool(remove_degenerate_faces))
-    result._construct(Content("make_mesh", arguments))
-    return result
+    return Surface._of(
+        *make_mesh(points, corners, offsets, merge_tolerance, bool(remove_degenerate_faces))
+    )
 
 
 # Points, corners, offsets and normals. For triangles, the corners are rows and the offsets None. For

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._atlas import Atlases
-from ._content import Content, file_content
+from ._content import file_content, make_mesh
 from ._core import InvalidArgumentError
 from ._curvature import Curvature
 from ._curves import Curves
@@ -94,7 +94,8 @@ class Surface(
     UnsupportedSurfaceError
         If there are too many points or halfedges, or too few points to estimate normals.
 
-    A surface can be pickled. It keeps copies of its arrays for this purpose.
+    A surface can be pickled. The arrays are then copied from its data. If polygons were repaired,
+    the surface keeps a copy of ``F`` for this purpose.
 
     Takes O(n) time for a mesh and O(n log n) time for a cloud.
     """
@@ -115,12 +116,13 @@ class Surface(
                 raise InvalidArgumentError(
                     "merge_tolerance and remove_degenerate_faces need the faces F of a mesh."
                 )
-            self._construct(Content("make_cloud", (V, normals, radii)), callback)
+            self._core = _core.make_cloud(V, normals, radii, callback)
         else:
             if normals is not None or radii is not None:
                 raise InvalidArgumentError("A mesh has faces, but neither normals nor radii.")
-            arguments = (V, F, None, merge_tolerance, bool(remove_degenerate_faces))
-            self._construct(Content("make_mesh", arguments), callback)
+            self._core, self._make_content = make_mesh(
+                V, F, None, merge_tolerance, bool(remove_degenerate_faces), callback
+            )
 
     def _new(self, core: _core.Mesh | _core.Cloud) -> Surface:
         return self._of(core)

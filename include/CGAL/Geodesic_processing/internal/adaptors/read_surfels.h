@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/Index.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -88,6 +89,13 @@ struct Surfel_input
 {
   std::vector<Vec3> points, normals; // #surfels
   std::vector<double> radii;         // #surfels, or empty
+};
+
+// Surfels with unit normals whose points are relative to the origin of a frame; see Surfel_options.
+struct Framed_surfels
+{
+  Surfel_input input;
+  Frame frame;
 };
 
 // Reads the surfels of a range by the property maps of named parameters, by default those of the

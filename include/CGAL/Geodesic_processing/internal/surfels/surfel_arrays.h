@@ -10,6 +10,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -26,6 +27,9 @@ struct Surfel_options
   // If no radii are given, the radius of a surfel is the distance to its neighbor of this rank,
   // divided by sqrt(2).
   unsigned rank = 8;
+  // If it is set, normals are unit vectors, points are relative to the origin of this frame, and
+  // its scale is used. So arrays are built again from their own points without round-off errors.
+  std::optional<Frame> frame;
   unsigned number_of_threads = 1; // does not change the result
   // Called with 0 between the steps of the construction. An exception that it throws cancels it.
   std::function<bool(double)> callback;
@@ -35,6 +39,7 @@ struct Surfel_options
 struct Surfel_arrays
 {
   Surface_arrays arrays;
+  double frame_scale = 1.;            // that of the frame, before lengths are scaled
   std::vector<double> radius;         // #vertices: scaled
   std::vector<Index> internal_vertex; // #surfels: the vertex of each surfel
   std::vector<Index> caller_vertex;   // #vertices: the surfel of each vertex
