@@ -35,10 +35,17 @@ set(package_build_folder ${PROJECT_BINARY_DIR}/debian)
 function(add_debian_package component name section description)
   string(TOUPPER ${component} id)
   set(folder ${package_build_folder}/${name})
+  set(comment "")
+  if(component STREQUAL runtime AND GEODESIC_PROCESSING_VIEWER)
+    set(comment
+"Comment: The page of the viewer, viewer.html, contains scripts and kernels under the
+ MIT license. The page shows their names and copyright notices.
+")
+  endif()
   file(CONFIGURE OUTPUT ${folder}/copyright @ONLY CONTENT
 "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: @PROJECT_NAME@
-
+@comment@
 Files: *
 Copyright: 2026 The authors of @PROJECT_NAME@
 License: GPL-3.0-or-later

@@ -177,6 +177,8 @@ check_debian_packages()
   done
   [ -f "$root/usr/share/doc/geodesic-processing-doc/html/index.html" ] &&
     "$root/usr/bin/geodesic" info test/consumer/two_triangles.off --json | grep '"faces": 2,' &&
+    { [ ! -f $release/viewer/viewer.html ] || "$root/usr/bin/geodesic" view \
+      test/consumer/two_triangles.off -o build/packages/two_triangles.html; } &&
     build_consumer build/packaged_consumer -DCMAKE_PREFIX_PATH="$root/usr"
 }
 
