@@ -53,7 +53,7 @@ public:
       const Row& row = m_rows[i];
       const bool is_shortened = row.shortened.count > 0;
       const auto milliseconds = [&](double seconds) { return format_significant(1e3 * seconds); };
-      table.add({i == 0 ? name : "", row.distances, row.path, row.excess.percent(3),
+      table.add({name, row.distances, row.path, row.excess.percent(3),
                  is_shortened ? row.shortened.percent(3) : "-",
                  std::to_string(row.excess.count) + " of " + std::to_string(number_of_paths),
                  is_shortened ? milliseconds(row.setup / number_of_sources) : "-",

@@ -134,7 +134,7 @@ std::string percent(const Errors& e)
 class Accuracy_table
 {
 public:
-  Accuracy_table() : m_table(table_header()) {}
+  explicit Accuracy_table(const char* title) : m_table(title, table_header()) {}
 
   std::vector<Errors> add(const std::string& name, Mesh& mesh, const std::vector<Vertex>& sources,
                           const std::vector<std::vector<double>>& reference)
@@ -203,13 +203,13 @@ public:
 
   void print(const char* title) const
   {
-    std::vector<std::string> header = {title}, row = {"order"};
+    std::vector<std::string> header = {"errors"}, row = {"order"};
     for(std::size_t m = 0; m < methods.size(); ++m)
     {
       header.push_back(methods[m]);
       row.push_back(format_fixed(order(m), 2));
     }
-    Table table(header);
+    Table table(title, header);
     table.add(row);
     table.print();
   }
@@ -242,7 +242,7 @@ Convergence print_spheres(bool quick)
 {
   std::printf("Unit sphere, compared with great circles\n");
   Convergence result;
-  Accuracy_table table;
+  Accuracy_table table("errors on spheres, %");
   for(unsigned level = 3; level <= (quick ? 5u : 8u); ++level)
   {
     Mesh mesh = icosphere(level);
@@ -254,7 +254,7 @@ Convergence print_spheres(bool quick)
   table.print();
   std::printf(
       "Targets for the mean of Euclidean_front: 0.15 at 10242 and 0.037 at 163842 vertices.\n");
-  result.print("Unit sphere, three finest meshes");
+  result.print("order on spheres");
   return result;
 }
 
@@ -262,7 +262,7 @@ Convergence print_spheres(bool quick)
 void print_squares(bool quick)
 {
   std::printf("Flat square (jittered grid, random diagonals), compared with straight lines\n");
-  Accuracy_table table;
+  Accuracy_table table("errors on squares, %");
   double obtuse_ratio = 0.;
   for(const std::size_t n :
       quick ? std::vector<std::size_t>{101} : std::vector<std::size_t>{101, 301, 1001})
@@ -290,7 +290,7 @@ std::optional<Convergence> print_models(bool quick)
                                        "camel_10k",    "human_man_7k",      "eight_5k",
                                        "elephant_2k8", "chinese_dragon_10k"};
   Convergence result;
-  Accuracy_table table;
+  Accuracy_table table("errors on models, %");
   std::size_t found = 0;
   for(const std::string& name : names)
   {
@@ -322,7 +322,7 @@ std::optional<Convergence> print_models(bool quick)
   table.print();
   std::printf("Targets for bunny_37k, armadillo_26k and nefertiti_35k: both ratios at least 3, "
               "Euclidean_front\nbelow 0.3 if possible.\n");
-  result.print(names.front().c_str());
+  result.print(("order on " + names.front()).c_str());
   return result;
 }
 
@@ -341,13 +341,13 @@ void print_paths(bool quick)
   for(const std::string name : {"bunny_37k", "nefertiti_35k", "fandisk_6k5", "mech_holes_shark_5k"})
     if(auto mesh = load_model(name); mesh && !(quick && num_vertices(*mesh) > 10000))
       meshes.emplace_back(name, std::move(*mesh));
-  Table table(Path_comparison::table_header());
+  Table table("paths", Path_comparison::table_header());
   for(const auto& [name, mesh] : meshes)
     Path_comparison(mesh, 0.25).add_rows(table, name);
   table.print();
 
   std::printf("Vertex gradients on the sphere, with other steps\n\n");
-  Table steps(Path_comparison::table_header());
+  Table steps("paths with other steps", Path_comparison::table_header());
   for(const double step : {2., 1., 0.5, 0.125})
     Path_comparison(meshes.front().second, step)
         .add_rows(steps, format_significant(step) + " mean edges", 1);

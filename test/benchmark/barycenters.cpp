@@ -45,7 +45,8 @@ std::string percent(double ratio, int decimals) { return format_fixed(100. * rat
 // seconds to a gap of one percent.
 void print_250_steps(const std::vector<Model>& models)
 {
-  Table table({"mesh", "vertices", "points", "set-up [s]", "250 steps [s]", "cost excess %",
+  Table table("points on meshes",
+              {"mesh", "vertices", "points", "set-up [s]", "250 steps [s]", "cost excess %",
                "gap %", "gap of 4,000 steps %", "steps to gap of 1 %", "time [s]"});
   for(const auto& [name, mesh] : models)
     for(const std::size_t k : {3u, 6u})
@@ -89,9 +90,9 @@ void print_250_steps(const std::vector<Model>& models)
 // exact barycenter can be placed at the midpoint of the geodesic.
 void print_two_points(const std::vector<Model>& models)
 {
-  Table table({"two points on", "vertices", "distance d [edges]", "cost / (d^2/2) - 1 %",
-               "half at each point %", "at midpoint vertex %", "mass within 3 edges %",
-               "mean position"});
+  Table table("two points", {"two points on", "vertices", "distance d [edges]",
+                             "cost / (d^2/2) - 1 %", "half at each point %", "at midpoint vertex %",
+                             "mass within 3 edges %", "mean position"});
   for(const auto& [name, mesh] : models)
   {
     if(mesh.number_of_vertices() > 5000)
@@ -138,7 +139,8 @@ void print_planar_points(std::size_t n)
 {
   const Mesh mesh = jittered_square(n);
   GP::Transport_barycenter_solver<Mesh> solver(mesh);
-  Table table({"points in a square", "vertices", "cost / cost of centroid - 1 %", "steps"});
+  Table table("points in a square",
+              {"points in a square", "vertices", "cost / cost of centroid - 1 %", "steps"});
   for(const std::size_t k : {2u, 3u, 4u, 5u, 6u})
   {
     const std::vector<Vertex> points = random_vertices(mesh, k, 100 + unsigned(k));

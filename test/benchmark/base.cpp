@@ -197,7 +197,8 @@ void print_maps(bool is_quick)
       "H and M; jump: maximum difference of coordinates across base edges; topology: Euler\n"
       "characteristic and boundary cycles; Ec, Ea, SD: angle distortion, area distortion and\n"
       "symmetric Dirichlet energy, means over the base faces that are not repaired.\n\n");
-  Table table({"model", "base", "folds H", "repaired faces", "folds", "round trip", "jump",
+  Table table("base meshes",
+              {"model", "base", "folds H", "repaired faces", "folds", "round trip", "jump",
                "topology", "Ec H", "Ea H", "SD H", "Ec M", "Ea M", "SD M", "base [s]", "map [s]"});
   for(const std::string& name : model_names)
   {
@@ -244,8 +245,8 @@ void print_semi_regular_meshes(bool is_quick)
   std::printf(
       "Semi-regular meshes with 500 base vertices and 4 levels: distance of face centers to "
       "the input,\nrelative to the bounding box diagonal, and angles in degrees\n\n");
-  Table table(
-      {"model", "faces", "mean distance", "maximum distance", "angles in 20..120", "time [s]"});
+  Table table("semi-regular meshes", {"model", "faces", "mean distance", "maximum distance",
+                                      "angles in 20..120", "time [s]"});
   for(const std::string& name : model_names)
   {
     const auto mesh = load_model(name);
@@ -309,7 +310,8 @@ void print_paper_times()
       "Section 5 of Peyre and Cohen 2003: processor times in seconds, medians of five "
       "rounds, paper in parentheses.\nThe base mesh includes its own sampling. The complete "
       "model is a semi-regular mesh of four levels.\n\n");
-  Table table({"model", "vertices (5000)", "500 points (10)", "500 more (almost immediate)",
+  Table table("steps of the paper",
+              {"model", "vertices (5000)", "500 points (10)", "500 more (almost immediate)",
                "base mesh (about 10)", "parameterization (about 10)",
                "complete model (less than 60)"});
   for(const std::string name : {"eight_5k", "mech_holes_shark_5k", "fandisk_6k5"})

@@ -6,14 +6,15 @@
 #include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
 
 #include "models.h"
+#include "report.h"
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
+#include <string>
 
 namespace {
 
@@ -21,15 +22,16 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace benchmarks;
 using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
 
-// Prints the errors of a method at vertices that are farther than 5 % of the largest distance, from
-// five sources.
+// Adds a row with the errors of a method at vertices that are farther than 5 % of the largest
+// distance, from five sources.
 template <typename Method>
-void compare(const Mesh& mesh, const Cloud& cloud)
+void add_row(Table& table, const std::string& name, const std::string& method, const Mesh& mesh,
+             const Cloud& cloud)
 {
   GP::Geodesic_distance_solver<Mesh, GP::Exact> exact(mesh);
   GP::Geodesic_distance_solver<Cloud, Method> solver(cloud);
-  double sum = 0., largest = 0.;
-  std::size_t number = 0, unreached = 0;
+  Mean_and_max errors;
+  std::size_t unreached = 0;
   for(std::size_t k = 0; k < 5; ++k)
   {
     const std::size_t source = k * mesh.number_of_vertices() / 5;
@@ -47,22 +49,19 @@ void compare(const Mesh& mesh, const Cloud& cloud)
           ++unreached;
           continue;
         }
-        const double error = std::abs(found / exact.distance(v) - 1.);
-        sum += error;
-        largest = std::max(largest, error);
-        ++number;
+        errors.add(std::abs(found / exact.distance(v) - 1.));
       }
   }
-  std::printf("  %6.2f %6.1f %5zu", 100. * sum / double(number), 100. * largest, unreached);
+  table.add({name, std::to_string(cloud.size()), method, format_fixed(100. * errors.mean, 2),
+             format_fixed(100. * errors.largest, 1), std::to_string(unreached)});
 }
 
 } // namespace
 
 int main()
 {
-  std::printf("errors in percent: mean, largest, number of unreached vertices\n%-22s  %-19s   "
-              "%-19s   %-19s\n",
-              "", "Euclidean_front", "Fast_marching", "Dijkstra");
+  Table table("errors on clouds", {"cloud", "surfels", "method", "mean error %", "largest error %",
+                                   "unreached surfels"});
   for(const char* const name :
       {"bunny_37k", "nefertiti_35k", "kitten_9k", "eight_5k", "human_woman_7k", "elephant_2k8"})
   {
@@ -72,10 +71,9 @@ int main()
     Cloud cloud(true);
     for(const Vertex v : mesh->vertices())
       cloud.insert(mesh->point(v), CGAL::Polygon_mesh_processing::compute_vertex_normal(v, *mesh));
-    std::printf("%-22s", name);
-    compare<GP::Euclidean_front>(*mesh, cloud);
-    compare<GP::Fast_marching>(*mesh, cloud);
-    compare<GP::Dijkstra>(*mesh, cloud);
-    std::printf("\n");
+    add_row<GP::Euclidean_front>(table, name, "Euclidean_front", *mesh, cloud);
+    add_row<GP::Fast_marching>(table, name, "Fast_marching", *mesh, cloud);
+    add_row<GP::Dijkstra>(table, name, "Dijkstra", *mesh, cloud);
   }
+  table.print();
 }

@@ -88,7 +88,8 @@ void add_rows(Table& table, const std::string& name, const Mesh& mesh)
 int main(int argc, char** argv)
 {
   const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  Table table({"mesh", "vertices", "method", "faces", "placement [ms]", "maximum [ms]",
+  Table table("placement",
+              {"mesh", "vertices", "method", "faces", "placement [ms]", "maximum [ms]",
                "per 2,000 faces [ms]", "new placer [ms]", "first placement [ms]", "bake [ms]"});
   add_rows(table, "icosphere 5", icosphere(5));
   if(const auto mesh = load_model("bunny_37k"))

@@ -55,7 +55,9 @@ void compare_with_theory(bool quick)
              exact = coefficients<GP::Exact>(sphere, Vertex(1000)),
              hyperbolic_gradient = coefficients<GP::Gradient<>>(hyperbolic, middle),
              hyperbolic_exact = coefficients<GP::Exact>(hyperbolic, middle);
-  Table table({"measure", "m", "K = 1", "Gradient", "Exact", "K = -1", "Gradient", "Exact"});
+  Table table("coefficients of measures",
+              {"measure", "m", "K = 1", "Gradient, K = 1", "Exact, K = 1", "K = -1",
+               "Gradient, K = -1", "Exact, K = -1"});
   for(std::size_t i = 0; i < measures.size(); ++i)
     table.add({measures[i].name, std::to_string(measures[i].power),
                format_fixed(measures[i].coefficient(1.), 4), gradient[i], exact[i],
@@ -200,7 +202,8 @@ void print_metric_matrices(const Curved_surface& sphere)
   std::printf("Metric tensors (A A^T)^-1 on the sphere as g11 g12 g22: means over the faces whose "
               "centers are at most\n0.05 from u, of the measured metrics, of the second-order "
               "expansion, and of the metric of the sphere\n");
-  Table table({"u", "vertices", "Gradient", "Exact", "expansion", "sphere"});
+  Table table("metric on the sphere",
+              {"u", "vertices", "Gradient", "Exact", "expansion", "sphere"});
   const auto format = [](const std::array<double, 3>& g)
   { return format_fixed(g[0], 4) + " " + format_fixed(g[1], 4) + " " + format_fixed(g[2], 4); };
   const auto gradient = metrics<GP::Gradient<>>(sphere.meshes.back(), sphere.bases.back()),
@@ -249,9 +252,11 @@ void compare_metrics(bool quick)
       "coefficients are zero, the constant is the unit matrix, and\nthe linear terms vanish. The "
       "last three columns are the largest deviations.\n");
   const std::vector<Curved_surface> surfaces = curved_surfaces(quick);
-  Table coefficients({"surface", "method", "vertices", "radius", "K/3", "g11 v^2", "g12 uv",
+  Table coefficients("Taylor coefficients of the metric",
+                     {"surface", "method", "vertices", "radius", "K/3", "g11 v^2", "g12 uv",
                       "g22 u^2", "other", "constant", "linear"});
-  Table residuals({"surface", "method", "vertices", "0.1", "0.2", "0.4", "0.6"});
+  Table residuals("deviation of the metric",
+                  {"surface", "method", "vertices", "0.1", "0.2", "0.4", "0.6"});
   for(const Curved_surface& surface : surfaces)
   {
     add_metric_rows<GP::Gradient<>>(coefficients, "Gradient", surface);
@@ -320,7 +325,8 @@ void compare_linearity(bool quick)
       "Optimality on spherical caps: sup |d(x,y) - |f(x) - f(y)|| / |f(y)|^2 over neighbors "
       "y of the base and\nvertices x within a distance of 0.6. Only normal coordinates have "
       "a bounded supremum.\n");
-  Table table({"vertices", "edge length", "Exact", "Gradient", "orthogonal projection", "LSCM"});
+  Table table("optimality",
+              {"vertices", "edge length", "Exact", "Gradient", "orthogonal projection", "LSCM"});
   for(unsigned level = 3; level <= (quick ? 5u : 6u); ++level)
   {
     const Mesh mesh = mesh_of(spherical_cap(level, 0.8));
@@ -359,7 +365,7 @@ void compare_on_cylinder()
   exact.compute(base, GP::parameters::maximum_distance(1.));
   gradient.compute(base, GP::parameters::maximum_distance(1.));
   const auto frame = exact.frame();
-  Table table({"measure", "Gradient", "Exact", "orthogonal projection"});
+  Table table("cylinder", {"measure", "Gradient", "Exact", "orthogonal projection"});
   for(const Measure_asymptotics& measure : test::measure_asymptotics())
   {
     const auto format_difference = [&](const auto& f)

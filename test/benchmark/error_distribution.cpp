@@ -141,7 +141,8 @@ std::string percent_or_failed(double error)
 void print_quantiles(const char* title, const std::vector<Method_results>& results,
                      std::vector<double> Method_results::*values)
 {
-  Table table({title, "median", "80 %", "90 %", "95 %", "99 %", "at most 1 %", "at most 5 %"});
+  Table table(title,
+              {"method", "median", "80 %", "90 %", "95 %", "99 %", "at most 1 %", "at most 5 %"});
   for(const Method_results& method : results)
   {
     const std::vector<double>& v = method.*values;
@@ -246,9 +247,9 @@ int main(int argc, char* argv[])
   std::printf("Relative errors in percent on %zu meshes, five sources each, compared with Exact.\n"
               "Vertices closer than 5 %% of the largest distance are excluded.\n\n",
               results[0].mean.size());
-  print_quantiles("mean error", results, &Method_results::mean);
-  print_quantiles("largest error", results, &Method_results::maximum);
-  Table times({"meshes from 1,000 vertices", "median", "90 %", "99 %"});
+  print_quantiles("mean error, %", results, &Method_results::mean);
+  print_quantiles("largest error, %", results, &Method_results::maximum);
+  Table times("microseconds per vertex", {"meshes from 1,000 vertices", "median", "90 %", "99 %"});
   const auto add_times = [&](const char* name, const std::vector<double>& values)
   {
     if(!values.empty())

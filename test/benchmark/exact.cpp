@@ -129,7 +129,8 @@ public:
   }
 
 private:
-  Table m_table{{"mesh", "vertices", "Euclidean [s]", "Exact [s]", "CGAL exact [s]",
+  Table m_table{"one source",
+                {"mesh", "vertices", "Euclidean [s]", "Exact [s]", "CGAL exact [s]",
                  "Exact/Euclidean", "CGAL/Exact", "Exact [MB]", "CGAL [MB]",
                  "maximum relative difference"}};
 };
@@ -317,7 +318,7 @@ private:
   Mesh& m_mesh;
   std::vector<Vertex> m_sources;
   std::vector<std::vector<double>> m_reference;
-  Table m_table{{"method", "set-up [s]", "query [s]", "mean error %"}};
+  Table m_table{m_panel.title, {"method", "set-up [s]", "query [s]", "mean error %"}};
 };
 
 std::vector<Named_mesh> single_source_meshes(bool quick)
@@ -356,7 +357,8 @@ void print_speed_ups(const Mesh& mesh)
 {
   std::printf(
       "Distance matrices with one and two threads: wall-clock times, valid on an idle machine\n");
-  Table table({"distances", "sources", "targets", "1 thread [s]", "2 threads [s]", "speed-up"});
+  Table table("threads",
+              {"distances", "sources", "targets", "1 thread [s]", "2 threads [s]", "speed-up"});
   add_parallel<GP::Exact>(table, "Exact, all pairs", mesh, 24, false);
   add_parallel<GP::Exact>(table, "Exact, all vertices", mesh, 8, true);
   add_parallel<GP::Euclidean_front>(table, "Euclidean_front, all pairs", mesh, 100, false);
@@ -371,8 +373,8 @@ void print_bounded_queries(const Mesh& mesh)
   std::printf(
       "Queries with a maximum distance of 18 mean edge lengths from random vertices, on a mesh "
       "and two refinements\n");
-  Table table({"mesh", "vertices", "reached vertices", "Euclidean [ms]", "Exact [ms]",
-               "Exact, maximum [ms]"});
+  Table table("bounded queries", {"mesh", "vertices", "reached vertices", "Euclidean [ms]",
+                                  "Exact [ms]", "Exact, maximum [ms]"});
   Mesh finer = mesh;
   for(const std::string name : {"input", "refined once", "refined twice"})
   {
@@ -387,7 +389,8 @@ void print_bounded_queries(const Mesh& mesh)
 void print_tolerances(const Mesh& mesh, const std::string& name, bool quick, bool patient)
 {
   std::printf("Queries with a relative tolerance\n");
-  Table table({"mesh", "vertices", "tolerance", "microseconds per vertex", "/ Euclidean", "/ exact",
+  Table table("relative tolerance",
+              {"mesh", "vertices", "tolerance", "microseconds per vertex", "/ Euclidean", "/ exact",
                "largest gap", "largest error", "violations"});
   add_tolerances(table, name, mesh);
   add_tolerances(table, "sphere", icosphere(quick ? 4 : 7));

@@ -209,9 +209,9 @@ std::vector<UV> images(const Mesh& mesh, UV_map uv)
 // locally linear embedding alone and with the formulas as printed in the paper.
 void print_starts(bool is_quick)
 {
-  Table table({"Dirichlet energy, flips", "better start", "lle", "mds", "lle alone",
-               "centered, interpolated", "centered, Nystrom", "printed, interpolated",
-               "printed, Nystrom"});
+  Table table("starts", {"Dirichlet energy, flips", "better start", "lle", "mds", "lle alone",
+                         "centered, interpolated", "centered, Nystrom", "printed, interpolated",
+                         "printed, Nystrom"});
   std::map<std::string, std::size_t> wins;
   for(const std::string name : patches)
   {
@@ -273,8 +273,8 @@ std::string beside(const std::string& ours, const std::string& paper)
 
 void print_first_paper_table()
 {
-  Table first({"table I: seconds (paper)", "vertices", "fast marching", "sampling, 200",
-               "Lloyd step", "mds", "glle"});
+  Table first("table I of the paper", {"table I: seconds (paper)", "vertices", "fast marching",
+                                       "sampling, 200", "Lloyd step", "mds", "glle"});
   if(auto mesh = load_model("camelhead_11k"))
   {
     const UV_map uv = new_map(*mesh);
@@ -311,7 +311,8 @@ void print_first_paper_table()
 
 void print_second_paper_table(bool is_quick)
 {
-  Table second({"table II: seconds (paper)", "vertices", "mds", "conformal", "glle"});
+  Table second("table II of the paper",
+               {"table II: seconds (paper)", "vertices", "mds", "conformal", "glle"});
   const auto add_times =
       [&](const std::string& name, Mesh mesh, const std::array<std::string, 3>& paper)
   {
@@ -340,7 +341,8 @@ void print_second_paper_table(bool is_quick)
 
 void print_third_paper_table(bool is_quick)
 {
-  Table third({"table III: Ec, Ea (paper)", "conformal", "authalic", "mds", "glle", "lle alone"});
+  Table third("table III of the paper",
+              {"table III: Ec, Ea (paper)", "conformal", "authalic", "mds", "glle", "lle alone"});
   const auto add_distortion = [&](const std::string& name, const std::array<std::string, 4>& paper)
   {
     auto mesh = load_model(name);
@@ -380,9 +382,10 @@ void print_distortion(bool is_quick)
 {
   std::printf("Distortion: conformal energy Ec, authalic energy Ea, symmetric Dirichlet energy, "
               "L2 and Linf stretch\n\n");
-  Table table({"patch", "method", "Ec", "Ea", "Ec + Ea", "Dirichlet", "L2", "Linf", "flips"});
-  Table base_point_table({"patch: Dirichlet energy", "5 base points", "10", "20", "100",
-                          "20, injective", "100, injective"});
+  Table table("distortion",
+              {"patch", "method", "Ec", "Ea", "Ec + Ea", "Dirichlet", "L2", "Linf", "flips"});
+  Table base_point_table("base points", {"patch: Dirichlet energy", "5 base points", "10", "20",
+                                         "100", "20, injective", "100, injective"});
   Distortion_counts counts;
   for(const std::string name : patches)
   {
@@ -406,8 +409,8 @@ void print_distortion(bool is_quick)
 void print_times(bool is_quick, bool is_patient)
 {
   std::printf("Processor times in seconds, including set-up\n\n");
-  Table table({"patch", "vertices", "glle", "glle / n log n [ns]", "mds", "injective", "CGAL lscm",
-               "lscm / glle", "CGAL arap", "arap / glle"});
+  Table table("times", {"patch", "vertices", "glle", "glle / n log n [ns]", "mds", "injective",
+                        "CGAL lscm", "lscm / glle", "CGAL arap", "arap / glle"});
   std::vector<std::pair<std::string, Mesh>> meshes = {{"square", jittered_square(32)}};
   if(auto mesh = load_model("camelhead_11k"))
     meshes.emplace_back("camelhead_11k", *mesh);
@@ -473,7 +476,8 @@ std::size_t count_overlapping_texels(const Mesh& mesh, const std::vector<UV>& uv
 void print_atlases(bool is_quick)
 {
   std::printf("Texture atlases with 2,048 x 2,048 texels, two threads\n\n");
-  Table table({"model", "vertices", "requested charts", "charts", "flips", "overlaps",
+  Table table("texture atlases",
+              {"model", "vertices", "requested charts", "charts", "flips", "overlaps",
                "overlapping texels", "coverage", "wall-clock [s]", "processor [s]"});
   const auto add = [&](const std::string& name, const Mesh& mesh, std::size_t number)
   {

@@ -186,10 +186,10 @@ void measure_cloud(std::size_t n, std::size_t lines, Table& table)
 int main(int argc, char* argv[])
 {
   const bool quick = argc > 1 && std::string(argv[1]) == "--quick";
-  Table table({"model", "vertices", "masses", "incomplete", "excess length % (mean / max)",
-               "shortened %", "more than 1 %", "assignment excess %", "tracing [s]",
-               "shortening [s]"}),
-      balls({"model", "radius 0.4 d: error %, bound %", "0.2 d", "0.1 d", "0.05 d"});
+  Table table("streamlines", {"model", "vertices", "masses", "incomplete",
+                              "excess length % (mean / max)", "shortened %", "more than 1 %",
+                              "assignment excess %", "tracing [s]", "shortening [s]"}),
+      balls("balls", {"model", "radius 0.4 d: error %, bound %", "0.2 d", "0.1 d", "0.05 d"});
   std::vector<std::string> names = {"fandisk_6k5", "kitten_9k"};
   if(!quick)
     names.insert(names.end(), {"camel_10k", "nefertiti_35k", "bunny_37k"});

@@ -149,8 +149,8 @@ int main(int argc, char* argv[])
   fs::create_directory(folder);
   const std::vector<std::string> files = write_files(jittered_square(n), folder);
   std::printf("From a file to a solver, square %zu: milliseconds\n\n", n);
-  Table table({"file", "MB", "read", "CGAL soup/read", "CGAL mesh/read", "solver", "solver/PLY",
-               "solver/CGAL mesh", "speed-up of 2 threads"});
+  Table table("files", {"file", "MB", "read", "CGAL soup/read", "CGAL mesh/read", "solver",
+                        "solver/PLY", "solver/CGAL mesh", "speed-up of 2 threads"});
   const double seconds_of_ply = least_seconds(cpu, [&] { prepare(files.front(), 1); });
   for(const std::string& file : files)
     add_row(file, seconds_of_ply, table);

@@ -77,8 +77,8 @@ int main(int argc, char* argv[])
 {
   const bool is_quick = argc > 1 && std::string(argv[1]) == "--quick";
   std::printf("20 isolines of the distance from a vertex: milliseconds\n\n");
-  Table table({"mesh", "vertices", "locations", "domain", "isolines, domain", "isolines, mesh",
-               "split, domain", "split, mesh"});
+  Table table("milliseconds", {"mesh", "vertices", "locations", "domain", "isolines, domain",
+                               "isolines, mesh", "split, domain", "split, mesh"});
   for(const unsigned level : {5u, 8u})
     if(!is_quick || level == 5)
       add_row("icosphere " + std::to_string(level), icosphere(level), table);

@@ -95,11 +95,11 @@ public:
 
   void print(const std::string& title) const
   {
-    std::vector<std::string> head = {title};
+    std::vector<std::string> head = {"method"};
     for(const Mesh& mesh : m_meshes)
       head.push_back(std::to_string(num_vertices(mesh)));
     head.push_back("order");
-    Table table(head);
+    Table table(title, head);
     for(const auto& row : m_rows)
       table.add(row);
     table.print();
@@ -145,16 +145,17 @@ void compare_on_spheres(bool quick)
   }
   Error_table on_regular(std::move(regular)), on_irregular(std::move(irregular));
   add_methods(on_regular);
-  on_regular.print("icosphere");
+  on_regular.print("errors on icospheres, %");
   std::printf("Targets for Gradient<Euclidean_front>: 0.2 at 10242 and 0.06 at 163842 vertices; "
               "order 1.\n\n");
   add_methods(on_irregular);
-  on_irregular.print("random points");
+  on_irregular.print("errors on random points, %");
 }
 
 void compare_on_clouds(std::size_t n)
 {
-  Table table({"mean error % on a spherical cloud", "surfels", "Gradient<Euclidean_front>"});
+  Table table("spherical clouds",
+              {"mean error % on a spherical cloud", "surfels", "Gradient<Euclidean_front>"});
   test::Cloud random_cloud, spiral;
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
@@ -206,7 +207,8 @@ double largest_error(const Map& map, Truth truth)
 
 void compare_on_developables(std::size_t n)
 {
-  Table table({"maximum relative error", "Gradient<Euclidean_front>", "Exact"});
+  Table table("square and cylinder",
+              {"maximum relative error", "Gradient<Euclidean_front>", "Exact"});
   const auto add =
       [&](const std::string& name, const Mesh& mesh, Vertex base, auto limits, auto truth)
   {
@@ -318,8 +320,8 @@ std::vector<double> angles_against_exact(const Mesh& mesh, double radius)
 
 void compare_on_models(const std::vector<std::string>& names)
 {
-  Table table({"model", "angles", "Gradient<Euclidean_front>", "Gradient<Fast_marching>",
-               "Discrete_exponential"});
+  Table table("models", {"model", "angles", "Gradient<Euclidean_front>", "Gradient<Fast_marching>",
+                         "Discrete_exponential"});
   bool has_models = false;
   for(const std::string& name : names)
   {
@@ -556,7 +558,8 @@ void compare_lengths(unsigned level)
       "the same mesh:\nof the distance, which is the length of a tangent vector, and of the "
       "length that the gradient of the squared\ndistance has, by the length of the stencil in "
       "rings of neighbors\n");
-  Table table({"noise %", "method", "distance", "fitted length, 0.6 rings", "1 ring", "2 rings",
+  Table table("lengths on noisy spheres",
+              {"noise %", "method", "distance", "fitted length, 0.6 rings", "1 ring", "2 rings",
                "3 rings", "4 rings"});
   using Method = GP::Distance_method;
   const std::vector<double> rings = {0.6, 1., 2., 3., 4.};
@@ -577,7 +580,8 @@ void compare_noise(unsigned level)
       "Noise: root mean square angles in degrees within a distance of 1, to Exact on the same "
       "mesh / to the\nnoise-free sphere after the best rotation. Standard deviation of each "
       "coordinate in percent of the mean\nedge length, stencil lengths in rings of neighbors.\n");
-  Table table({"noise %", "method", "default stencil", "1 ring", "2 rings", "3 rings"});
+  Table table("angles on noisy spheres",
+              {"noise %", "method", "default stencil", "1 ring", "2 rings", "3 rings"});
   const Mesh clean = icosphere(level);
   const std::vector<double> rings = {0., 1., 2., 3.};
   for(const double noise : {0., 0.01, 0.05})

@@ -135,7 +135,8 @@ void add_mesh(Table& table, const std::string& name, const Mesh& mesh, double ra
 
 void print_meshes(bool is_quick)
 {
-  Table table({"mesh", "vertices", "locations", "radius", "time [s]", "iterations", "converged",
+  Table table("means on meshes",
+              {"mesh", "vertices", "locations", "radius", "time [s]", "iterations", "converged",
                "gradient / extent", "error", "barycenter [s]"});
   for(const unsigned level : is_quick ? std::vector<unsigned>{4} : std::vector<unsigned>{4, 5, 6})
     for(const double radius : {0.1, 0.22, 0.45}) // the radius of uniqueness is 0.5
@@ -205,8 +206,8 @@ void add_cloud(Table& table, const std::string& name, const Cloud& cloud,
 // On the torus, the logarithms of the points sum to zero.
 void print_clouds(bool is_quick)
 {
-  Table table({"cloud", "surfels", "locations", "time [s]", "iterations", "converged", "gradient",
-               "error"});
+  Table table("means on clouds", {"cloud", "surfels", "locations", "time [s]", "iterations",
+                                  "converged", "gradient", "error"});
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit_interval(0., 1.);
   for(const std::size_t size :

@@ -146,8 +146,10 @@ void add_capacity_row(Table& table, int cells, std::size_t exits, double toleran
 
 void print_mazes(bool is_quick)
 {
-  Table nearest_table({"maze", "vertices", "maximum error", "maximum gap", "maximum iterations"});
-  Table capacity_table({"maze", "vertices", "exits", "tolerance", "maximum iterations",
+  Table nearest_table("nearest exits",
+                      {"maze", "vertices", "maximum error", "maximum gap", "maximum iterations"});
+  Table capacity_table("exits with capacities",
+                       {"maze", "vertices", "exits", "tolerance", "maximum iterations",
                         "maximum gap", "capacity excess", "lost mass", "mean time [s]"});
   for(const int cells : is_quick ? std::vector<int>{20} : std::vector<int>{20, 40, 80})
   {
@@ -256,8 +258,8 @@ std::vector<Vertex> longest_edge_path(Mesh mesh)
 
 void print_features(bool is_quick)
 {
-  Table table({"feature", "vertices", "mean error %", "maximum %", "fixed masses, mean %",
-               "excess over exact", "iterations", "time [s]"});
+  Table table("features", {"feature", "vertices", "mean error %", "maximum %",
+                           "fixed masses, mean %", "excess over exact", "iterations", "time [s]"});
   std::vector<std::string> names = {"fandisk_6k5", "camel_10k", "fsaverage5_inflated_left_10k"};
   if(!is_quick)
     names.insert(names.end(), {"bunny_37k", "nefertiti_35k", "armadillo_26k"});
@@ -278,7 +280,7 @@ void print_features(bool is_quick)
 
 void print_refraction()
 {
-  Table table({"vertices", "refinements", "rays", "mean error %", "maximum error %"});
+  Table table("refraction", {"vertices", "refinements", "rays", "mean error %", "maximum error %"});
   constexpr std::size_t cells = 80;
   const Mesh mesh = mesh_of(CGAL::Geodesic_processing::test::square(cells));
   const auto speed = boost::make_function_property_map<Face>(

@@ -136,8 +136,8 @@ void print_quality(bool quick)
   std::printf(
       "Quality: minimum angles of faces in degrees, distances in percent of the bounding box "
       "diagonal\n");
-  Table table({"remeshing", "vertices", "mean angle", "1st percentile", "smallest", "mean to input",
-               "RMS from input", "self-intersections", "time [s]"});
+  Table table("quality", {"remeshing", "vertices", "mean angle", "1st percentile", "smallest",
+                          "mean to input", "RMS from input", "self-intersections", "time [s]"});
   std::vector<std::string> names = {"elephant_2k8"};
   if(!quick)
     names = {"bunny_37k", "armadillo_26k", "fandisk_6k5",
@@ -218,9 +218,9 @@ void print_topology(bool quick)
   std::printf(
       "Topology: number of vertices added to 200, 1,000 and 5,000 requested ones, and pairs of "
       "intersecting faces\n");
-  Table table({"mesh", "vertices", "genus", "components", "boundary cycles", "same topology",
-               "200: added", "intersections", "1000: added", "intersections", "5000: added",
-               "intersections", "time [s]"});
+  Table table("topology", {"mesh", "vertices", "genus", "components", "boundary cycles",
+                           "same topology", "200: added", "intersections", "1000: added",
+                           "intersections", "5000: added", "intersections", "time [s]"});
   std::set<std::filesystem::path> files;
   const std::filesystem::path folder = std::filesystem::path(GEODESIC_PROCESSING_DATA) / "meshes";
   if(exists(folder))
@@ -277,7 +277,7 @@ void print_densities()
   std::printf(
       "Densities: Hausdorff distances of a part with creases, in percent of the bounding box "
       "diagonal\n");
-  Table table({"fandisk_6k5", "vertices", "to input", "from input", "uniform / this"});
+  Table table("densities", {"fandisk_6k5", "vertices", "to input", "from input", "uniform / this"});
   Mesh mesh = *input;
   const auto speed = mesh.add_property_map<Vertex, double>("v:speed", 1.).first;
   const double percent = 100. / diagonal(mesh);
@@ -316,8 +316,8 @@ void print_densities()
 void print_times(bool quick)
 {
   std::printf("Processor times of remeshing\n");
-  Table table({"mesh", "vertices", "output vertices", "one front [s]", "no relaxation [s]",
-               "12 steps, fitted [s]", "per step [s]", "CGAL [s]"});
+  Table table("times", {"mesh", "vertices", "output vertices", "one front [s]", "no relaxation [s]",
+                        "12 steps, fitted [s]", "per step [s]", "CGAL [s]"});
   const auto add = [&](const std::string& name, const Mesh& mesh, std::size_t vertices)
   {
     GP::Geodesic_distance_solver<Mesh, GP::Euclidean_front> solver(mesh);

@@ -3,6 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_BENCHMARK_REPORT_H
 #define CGAL_GEODESIC_PROCESSING_BENCHMARK_REPORT_H
 
+#include "Record.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -126,17 +128,21 @@ struct Mean_and_max
   }
 };
 
-// Prints a table with minimal column widths. The first column is left-aligned, the others are
-// right-aligned.
+// Prints a table with minimal column widths, and records it under its title. The first column is
+// left-aligned, the others are right-aligned.
 class Table
 {
 public:
-  explicit Table(std::vector<std::string> header) { m_rows.push_back(std::move(header)); }
+  Table(std::string title, std::vector<std::string> header) : m_title(std::move(title))
+  {
+    m_rows.push_back(std::move(header));
+  }
 
   void add(std::vector<std::string> row) { m_rows.push_back(std::move(row)); }
 
   void print() const
   {
+    Record::add(m_title, m_rows);
     std::vector<std::size_t> width;
     for(const auto& row : m_rows)
       for(std::size_t i = 0; i < row.size(); ++i)
@@ -155,6 +161,7 @@ public:
   }
 
 private:
+  std::string m_title;
   std::vector<std::vector<std::string>> m_rows;
 };
 

@@ -88,7 +88,8 @@ int main(int argc, char* argv[])
         {"bunny_37k, refined once", [] { return subdivided_model("bunny_37k", 1); }, 5000},
         {"mni152_grey_matter_533k", [] { return load_model("mni152_grey_matter_533k"); }, 1000},
     };
-  Table table({"mesh", "vertices", "method", "samples", "one front [ms]", "all samples [s]",
+  Table table("samples",
+              {"mesh", "vertices", "method", "samples", "one front [ms]", "all samples [s]",
                "ratio", "ratio with set-up", "per sample, first tenth [ms]",
                "per sample, others [ms]", "covering radius [edges]"});
   for(const Task& task : tasks)

@@ -135,8 +135,8 @@ int main(int argc, char* argv[])
 {
   const bool is_quick = argc > 1 && std::string(argv[1]) == "--quick";
   std::printf("Domains of polygon soups: milliseconds\n\n");
-  Table table({"mesh", "faces", "mesh", "arrays", "arrays/mesh", "CGAL arrays", "torn", "CGAL torn",
-               "CGAL/torn"});
+  Table table("milliseconds", {"soup", "faces", "mesh", "arrays", "arrays/mesh", "CGAL arrays",
+                               "torn", "CGAL torn", "CGAL/torn"});
   for(const unsigned level : {4u, 6u, 7u})
     if(!is_quick || level == 4)
       add_row("icosphere " + std::to_string(level), icosphere(level), table);

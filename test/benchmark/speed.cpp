@@ -144,10 +144,12 @@ public:
   }
 
 private:
-  Table m_queries{{"mesh", "vertices", "obtuse %", "Dijkstra", "marching", "Euclidean", "write",
+  Table m_queries{"queries",
+                  {"mesh", "vertices", "obtuse %", "Dijkstra", "marching", "Euclidean", "write",
                    "CGAL solve", "unset", "Euclidean/marching", "solve/marching",
                    "solve/(marching+write)", "solve/Euclidean"}};
-  Table m_domains{{"mesh", "vertices", "make_domain", "marching solver", "Euclidean solver",
+  Table m_domains{"set-up and memory",
+                  {"mesh", "vertices", "make_domain", "marching solver", "Euclidean solver",
                    "CGAL heat set-up [s]", "domain [B]", "peak of make_domain [B]",
                    "marching solver [B]", "Euclidean solver [B]"}};
 };
@@ -198,8 +200,8 @@ void measure_bounded(const std::string& name, const Mesh& mesh)
         cpu_seconds([&] { front.compute(source, GP::parameters::maximum_distance(bound)); }));
     reached.push_back(double(front.reached().size()));
   }
-  Table table({"bounded query", "vertices", "reached vertices", "marching [ms]", "Euclidean [ms]",
-               "Euclidean, maximum [ms]"});
+  Table table("bounded queries", {"bounded query", "vertices", "reached vertices", "marching [ms]",
+                                  "Euclidean [ms]", "Euclidean, maximum [ms]"});
   if(!front_times.empty())
     table.add({name, std::to_string(num_vertices(mesh)), format_fixed(median(reached), 0),
                milliseconds(median(marching_times)), milliseconds(median(front_times)),
@@ -265,7 +267,8 @@ void measure_paths(const std::string& name, const Mesh& mesh, const Mesh& coarse
     exact.push_back(exact_distances(coarse, source));
   const auto targets = random_vertices(num_vertices(coarse), 3 * 100);
 
-  Table table({"path between random vertices", "set-up [ms]", "median [ms]", "90th percentile [ms]",
+  Table table("paths",
+              {"path between random vertices", "set-up [ms]", "median [ms]", "90th percentile [ms]",
                "maximum [ms]", "first round, median [ms]", "mean excess %", "median", "maximum"});
   for(const Path_method& method : methods)
   {

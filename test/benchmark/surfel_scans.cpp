@@ -132,8 +132,8 @@ void print_scans(unsigned seed)
   std::printf(
       "Scans: distances of paths to the cloud, and steps between separate sheets (seed %u)\n",
       seed);
-  Table table({"scan", "surfels", "paths", "points", "outside", "maximum distance", "longer",
-               "crossings", "without normals"});
+  Table table("scans", {"scan", "surfels", "paths", "points", "outside", "maximum distance",
+                        "longer", "crossings", "without normals"});
   std::vector<std::filesystem::path> files;
   const auto folder = std::filesystem::path(GEODESIC_PROCESSING_DATA) / "points";
   if(exists(folder))

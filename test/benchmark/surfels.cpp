@@ -67,9 +67,9 @@ struct Published_errors
 class Error_table
 {
 public:
-  explicit Error_table(bool has_published_errors)
-      : m_has_published_errors(has_published_errors), m_table(header(has_published_errors)),
-        m_longer(names())
+  Error_table(const std::string& title, bool has_published_errors)
+      : m_has_published_errors(has_published_errors), m_table(title, header(has_published_errors)),
+        m_longer(title + ": paths longer than initial", names())
   {}
 
   void add(const Surface& surface, const std::string& name, const Cloud& cloud,
@@ -106,7 +106,7 @@ public:
 private:
   static std::vector<std::string> names()
   {
-    std::vector<std::string> result = {"longer than initial"};
+    std::vector<std::string> result = {"surface"};
     for(const Method& method : methods())
       result.push_back(method.name);
     return result;
@@ -117,7 +117,7 @@ private:
     const auto add = [&](const std::string& name)
     {
       result.push_back("EG " + name);
-      result.push_back("EP");
+      result.push_back("EP " + name);
     };
     if(has_published_errors)
     {
@@ -147,7 +147,7 @@ std::vector<Surface> exactly_fitted_surfaces()
 void print_clean(const std::vector<Surface>& surfaces)
 {
   std::printf("Table 3, clean clouds: relative errors in percent\n");
-  Error_table table(true);
+  Error_table table("clean clouds, %", true);
   const Published_errors paper[] = {{8.0e-2, 3.5e-2}, {2.1e-5, 1.1e-4}, {4.5e-2, 5.1e-3}},
                          hp[] = {{4.0e-2, 1.0e-2}, {2.7e-5, 2.7e-7}, {4.6e-1, 9.0e-2}};
   for(std::size_t i = 0; i < surfaces.size(); ++i)
@@ -158,7 +158,7 @@ void print_clean(const std::vector<Surface>& surfaces)
 void print_spheres()
 {
   std::printf("Table 4, unit spheres subdivided from the octahedron: relative errors in percent\n");
-  Error_table table(true);
+  Error_table table("spheres, %", true);
   const Published_errors paper[] = {
       {6.20, 2.162}, {2.95, 0.885}, {1.02, 0.275}, {0.34, 0.074}, {0.08, 0.035}};
   for(unsigned i = 0; i < 5; ++i)
@@ -184,7 +184,7 @@ void print_noisy(const std::vector<Surface>& surfaces)
   std::printf(
       "Table 5, noise in percent of the surfel radius: relative errors in percent. \"+5 %%\": 5 %% "
       "of outliers\nwith a noise of 200 %% are added. The scanned plane is simulated here\n");
-  Error_table table(true);
+  Error_table table("noisy clouds, %", true);
   const Published_errors paper[] = {{0.49, 0.25}, {0.019, 0.097}, {0.69, 0.46},
                                     {0.88, 0.31}, {0.023, 0.11},  {1.04, 0.71}},
                          hp[] = {{8.50, 0.10},  {0.12, 0.24}, {2.50, 0.94},
@@ -216,9 +216,9 @@ void print_control_points(const std::vector<Surface>& surfaces)
   for(const std::size_t number : numbers_of_control_points)
   {
     header.push_back("EG " + std::to_string(number));
-    header.push_back("EP");
+    header.push_back("EP " + std::to_string(number));
   }
-  Table table(header);
+  Table table("control points, %", header);
   for(const Surface& s : surfaces)
     for(int level = 0; level <= 2; ++level)
     {
@@ -242,7 +242,8 @@ void print_control_points(const std::vector<Surface>& surfaces)
 void print_weights(const std::vector<Surface>& surfaces)
 {
   std::printf("Plain and robust weights, without prior removal of noise and outliers\n");
-  Table table({"surface", "surfels", "EG spheres", "EP", "EG robust spheres", "EP"});
+  Table table("robust weights", {"surface", "surfels", "EG spheres", "EP spheres",
+                                 "EG robust spheres", "EP robust spheres"});
   const auto add = [&](const Surface& s, const std::string& name, const Cloud& cloud)
   {
     std::vector<std::string> row = {name, std::to_string(cloud.size())};
@@ -299,7 +300,7 @@ void print_other_surfaces()
       implicit_surface("ellipsoid", ellipsoid_cloud(16000, axes), ellipsoid)};
   if(const auto scan = sampled_mesh("bunny_zipper_36k", 40000, 1))
     surfaces.push_back(*scan);
-  Error_table table(false);
+  Error_table table("other surfaces, %", false);
   for(const Surface& s : surfaces)
   {
     const std::vector<double> r = radii(s.clean);
@@ -321,7 +322,7 @@ void print_orders()
   std::printf(
       "Convergence on surfaces that algebraic spheres do not represent exactly: EG in percent, "
       "relative to\ngeodesics of the implicit surface\n");
-  Table table({"surface", "surfels", "EG", "reduction factor"});
+  Table table("order of convergence", {"surface", "surfels", "EG", "reduction factor"});
   const auto add =
       [&](const std::string& name, const Implicit_surface& surface, const auto& make_points)
   {
@@ -362,7 +363,7 @@ void print_path_times(const std::vector<Surface>& surfaces)
   for(const Method& method : methods())
     header.push_back(method.name);
   header.insert(header.end(), {"points", "set-up"});
-  Table table(header);
+  Table table("table 2 of the paper, seconds", header);
   const auto add = [&](const std::string& name, const Cloud& clean, const Cloud& cloud,
                        double paper_points, double paper, double hp)
   {
@@ -409,7 +410,8 @@ void print_times(bool is_quick)
   std::printf(
       "Table 1, seconds on ellipsoids with equal numbers of surfels (in the paper: Pentium 4, "
       "2.8 GHz)\n");
-  Table table({"surfels", "paper, graph", "graph, 2 threads", "processor", "set-up", "100 paths",
+  Table table("table 1 of the paper, seconds",
+              {"surfels", "paper, graph", "graph, 2 threads", "processor", "set-up", "100 paths",
                "control points", "us per point", "initial paths", "by A*", "length excess"});
   const std::pair<std::size_t, double> models[] = {
       {35948, 3.50},  {52809, 3.90},   {101685, 4.73},   {134345, 6.08},

@@ -94,7 +94,8 @@ void compare_methods(const std::vector<std::string>& names)
   std::printf("Methods: the gap is the relative difference of the bounds after at most 100 "
               "iterations, or 5,000 of\nalternating directions. The methods stop at a gap of 1 "
               "%%. Figures 4 and 5 of the paper show the last two\n");
-  Table table({"model", "vertices", "masses", "method", "gap %", "time [s]", "iterations"});
+  Table table("methods",
+              {"model", "vertices", "masses", "method", "gap %", "time [s]", "iterations"});
   for(const std::string& name : names)
   {
     const auto mesh = load_model(name);
@@ -134,8 +135,8 @@ int main(int argc, char* argv[])
                                              "kitten_9k"};
   if(argument == "methods")
     return compare_methods(compared), 0;
-  Table table({"model", "vertices", "set-up [s]", "masses", "gap", "time [s]", "iterations",
-               "residual", "lower bound below exact %"});
+  Table table("gaps", {"model", "vertices", "set-up [s]", "masses", "gap", "time [s]", "iterations",
+                       "residual", "lower bound below exact %"});
   std::vector<std::string> names = compared;
   if(argument != "--quick")
   {

@@ -109,7 +109,8 @@ int main(int argc, char* argv[])
       pairs = 1;
     else if(std::string(argv[i]) == "--refine" && i + 1 < argc)
       refinements = unsigned(std::atoi(argv[++i]));
-  Table table({"model", "vertices", "pairs", "lower above exact", "upper_continuous below exact",
+  Table table("bounds on models",
+              {"model", "vertices", "pairs", "lower above exact", "upper_continuous below exact",
                "value below exact % (mean / max)", "estimate error %", "upper_continuous excess %",
                "maximum iterations"});
   std::size_t number_of_pairs = 0;
@@ -160,8 +161,8 @@ int main(int argc, char* argv[])
       "0.11 %% after two refinements;\n25 iterations.\n",
       number_of_pairs);
 
-  Table clouds({"5,000 surfels of a sphere", "noise %", "pairs", "value error % (mean / max)",
-                "estimate error %"});
+  Table clouds("bounds on surfels", {"5,000 surfels of a sphere", "noise %", "pairs",
+                                     "value error % (mean / max)", "estimate error %"});
   for(const double noise : {0., 0.005})
   {
     measure_cloud("spiral", spiral_sphere(5000), noise, 4 * pairs, refinements, clouds);

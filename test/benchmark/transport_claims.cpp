@@ -289,7 +289,7 @@ void print_basis_sizes(bool is_quick, const std::string& plot_file)
                                      "all flows"};
   for(const std::size_t k : basis_sizes)
     header.push_back("k = " + std::to_string(k));
-  Table table(header);
+  Table table("basis sizes", header);
   std::vector<Panel> panels;
   const auto add = [&](const std::string& name, const Mesh& mesh)
   {
@@ -340,7 +340,8 @@ void print_basis_sizes(bool is_quick, const std::string& plot_file)
 void print_monotonicity(bool is_quick)
 {
   const std::vector<std::size_t> basis_sizes = {0, 10, 30, 100};
-  Table table({"monotonicity in k", "vertices", "harmonic fields", "family", "pairs", "increases",
+  Table table("monotonicity",
+              {"monotonicity in k", "vertices", "harmonic fields", "family", "pairs", "increases",
                "from k = 0", "above exact %: k = 0", "k = 10", "k = 30", "k = 100", "complete"});
   for_each_model(
       is_quick ? std::vector<std::string>{"pig_468", "hemisphere_2k"}
@@ -516,7 +517,8 @@ void add_metric_rows(Table& table, const std::string& name, const Mesh& mesh)
 // vertex is tested for five pairs.
 void print_metrics(bool is_quick)
 {
-  Table table({"1,000 triples", "model", "violations", "certified violations",
+  Table table("triangle inequality",
+              {"1,000 triples", "model", "violations", "certified violations",
                "maximum violation %", "maximum asymmetry %", "vertices with shorter detour %"});
   for_each_model(is_quick ? std::vector<std::string>{"pig_468"}
                           : std::vector<std::string>{"elephant_2k8", "hemisphere_2k"},
@@ -633,8 +635,8 @@ void add_change_row(Table& table, const std::string& name, const Domain& one,
 void print_stability(bool is_quick)
 {
   const std::size_t number_of_pairs = is_quick ? 5 : 30;
-  Table table({"change %, mean / max", "vertices", "exact", "heat", "biharmonic", "k = 0",
-               "k = 100, paper", "k = 100", "complete"});
+  Table table("stability", {"change %, mean / max", "vertices", "exact", "heat", "biharmonic",
+                            "k = 0", "k = 100, paper", "k = 100", "complete"});
   // Adds a row for random pairs of vertices that exist in both meshes.
   const auto add = [&](const std::string& name, const Mesh& one, const Mesh& other)
   {
@@ -716,7 +718,8 @@ One_to_all_function paper_one_to_all(const Triangles& t, std::size_t k)
 // closer to the source than a twentieth of the largest distance are excluded.
 void print_evenness(bool is_quick)
 {
-  Table table({"unevenness", "vertices", "exact", "heat", "biharmonic", "k = 0", "k = 10, paper",
+  Table table("unevenness",
+              {"unevenness", "vertices", "exact", "heat", "biharmonic", "k = 0", "k = 10, paper",
                "k = 10", "k = 100, paper", "k = 100", "k = 0 / biharmonic"});
   const auto add = [&](const std::string& name, const Mesh& mesh)
   {
@@ -783,9 +786,9 @@ void print_evenness(bool is_quick)
 // On a square, points that its symmetries map to each other are compared.
 void print_isotropy(bool is_quick)
 {
-  Table table({"anisotropy %", "vertices", "biharmonic", "k = 0", "k = 5, paper", "k = 5",
-               "k = 10, paper", "k = 10", "k = 100, paper", "k = 100",
-               "basis size for 5, 10, 100"});
+  Table table("anisotropy", {"anisotropy %", "vertices", "biharmonic", "k = 0", "k = 5, paper",
+                             "k = 5", "k = 10, paper", "k = 10", "k = 100, paper", "k = 100",
+                             "basis size for 5, 10, 100"});
   const auto add = [&](const std::string& name, const Mesh& mesh, Vertex from,
                        const std::function<double(const Domain&, const Vector&)>& spread)
   {
@@ -864,7 +867,7 @@ void print_isotropy(bool is_quick)
 // by at most the radius plus the gap.
 void print_disks(bool is_quick)
 {
-  Table table({"radius / distance", "model", "error / (radius + gap), mean / max"});
+  Table table("disks", {"radius / distance", "model", "error / (radius + gap), mean / max"});
   for_each_model(
       is_quick ? std::vector<std::string>{"pig_468"}
                : std::vector<std::string>{"elephant_2k8", "kitten_9k"},

@@ -83,7 +83,8 @@ std::vector<One_to_all> one_to_all_rows(bool is_quick)
 
 void print_one_to_all(bool is_quick)
 {
-  Table table({"one to all: seconds (paper)", "vertices", "model of the paper", "exact (marching)",
+  Table table("table 1 of the paper",
+              {"one to all: seconds (paper)", "vertices", "model of the paper", "exact (marching)",
                "heat", "biharmonic", "k = 0", "all flows", "mean error of all flows %"});
   for(const One_to_all& row : one_to_all_rows(is_quick))
     if(const auto mesh = load_model(row.ours))
@@ -177,7 +178,8 @@ Basis_measurement measure_basis(const Triangles& t, Particular_field kind)
 // Transport_metric. The models have no harmonic fields.
 void print_basis(bool is_quick)
 {
-  Table table({"k = 100, seconds", "vertices", "paper", "paper's flow: clusters", "error %",
+  Table table("k = 100",
+              {"k = 100, seconds", "vertices", "paper", "paper's flow: clusters", "error %",
                "minimized", "default flow: clusters", "error %", "minimized"});
   for(const One_to_all& row : one_to_all_rows(is_quick))
     if(const auto mesh = load_model(row.ours))
@@ -284,7 +286,8 @@ void print_all_pairs(bool is_quick)
   std::vector<All_pairs> rows = all_pairs_rows();
   if(is_quick)
     rows.resize(2);
-  Table table({"all pairs: seconds (paper)", "vertices", "paper", "samples", "exact (marching)",
+  Table table("table 2 of the paper",
+              {"all pairs: seconds (paper)", "vertices", "paper", "samples", "exact (marching)",
                "heat", "biharmonic", "k = 0", "k = 100, paper's flow", "k = 100, default flow",
                "all flows"});
   for(const All_pairs& row : rows)

@@ -35,14 +35,14 @@ private:
   std::uint32_t m_state = 1;
 };
 
-void measure(const char* name, const std::function<void()>& query)
+void measure(benchmarks::Table& table, const char* name, const std::function<void()>& query)
 {
   for(unsigned i = 0; i < number_of_warm_up_queries; ++i)
     query();
   std::vector<double> seconds;
   for(unsigned i = 0; i < number_of_queries; ++i)
     seconds.push_back(benchmarks::cpu_seconds(query));
-  std::printf("%-10s %8.1f ms\n", name, 1000. * benchmarks::median(seconds));
+  table.add({name, benchmarks::format_fixed(1000. * benchmarks::median(seconds), 1)});
 }
 
 void run(const std::string& filename)
@@ -55,7 +55,8 @@ void run(const std::string& filename)
         surface = program::repair(program::read_surface_file(filename), filename);
         queries = view::mesh_queries(surface);
       });
-  std::printf("%-10s %8.1f ms\n", "load", 1000. * seconds);
+  benchmarks::Table table("queries", {"query", "time [ms]"});
+  table.add({"load", benchmarks::format_fixed(1000. * seconds, 1)});
   const std::size_t size = surface.file.points.size();
   Generator random;
   const auto vertex = [&] { return Place{random(size)}; };
@@ -64,9 +65,9 @@ void run(const std::string& filename)
     queries->distances({vertex()}, method, std::numeric_limits<double>::infinity(),
                        [](double) { return true; });
   };
-  measure("euclidean", [&] { distances("euclidean"); });
-  measure("exact", [&] { distances("exact"); });
-  measure("path", [&] { queries->path(vertex(), vertex(), true); });
+  measure(table, "euclidean", [&] { distances("euclidean"); });
+  measure(table, "exact", [&] { distances("exact"); });
+  measure(table, "path", [&] { queries->path(vertex(), vertex(), true); });
   // The decal covers about 2,000 faces.
   double area = 0.;
   for(std::size_t f = 0; f < surface.file.corners.size(); f += 3)
@@ -80,8 +81,9 @@ void run(const std::string& filename)
                              u[0] * v[1] - u[1] * v[0]);
   }
   const double width = std::sqrt(2000. * area / (double(surface.file.corners.size()) / 3.));
-  measure("decal", [&] { queries->decal(vertex(), {0.1, 0.2, 1.}, width, width); });
-  measure("locally", [&] { queries->path(vertex(), vertex(), false); });
+  measure(table, "decal", [&] { queries->decal(vertex(), {0.1, 0.2, 1.}, width, width); });
+  measure(table, "locally", [&] { queries->path(vertex(), vertex(), false); });
+  table.print();
 }
 
 } // namespace

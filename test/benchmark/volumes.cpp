@@ -210,7 +210,8 @@ int main(int argc, char* argv[])
   const std::vector<std::pair<std::string, Triangulation>> shapes = {
       {"icosphere 5", icosphere(5)}, {"turbine", load_model("turbine_9k")}};
 
-  Table coordinates({"coordinates", "vertices", "linear error [diagonals]", "time per point [ms]",
+  Table coordinates("coordinates",
+                    {"coordinates", "vertices", "linear error [diagonals]", "time per point [ms]",
                      "linear error in a box of 20 times the size"});
   for(const auto& [name, shape] : shapes)
     if(!shape.points.empty())
@@ -218,15 +219,16 @@ int main(int argc, char* argv[])
   coordinates.print();
   std::printf("Target: 1e-9.\n\n");
 
-  Table slices({"slice, 2 threads", "vertices", "points", "processor [s]", "wall-clock [s]",
-                "solved", "maximum gap %", "maximum error %"});
+  Table slices("slices", {"slice, 2 threads", "vertices", "points", "processor [s]",
+                          "wall-clock [s]", "solved", "maximum gap %", "maximum error %"});
   for(const auto& [name, shape] : shapes)
     if(!shape.points.empty())
       add_slice_row(name, shape, quick ? 20 : 100, slices);
   slices.print();
   std::printf("Targets: 60 s on two cores, 1 %%.\n\n");
 
-  Table paths({"paths inside", "vertices", "pairs", "complete paths", "intersecting segments",
+  Table paths("paths",
+              {"paths inside", "vertices", "pairs", "complete paths", "intersecting segments",
                "maximum length / straight line", "solutions per path", "time per path [s]"});
   for(const char* const name : {"elephant_2k8", "knot1_3k", "femur_3k9", "cow_2k9"})
     if(const Triangulation shape = load_model(name); !shape.points.empty())

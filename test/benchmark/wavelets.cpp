@@ -145,8 +145,8 @@ void report(const std::string& name, const Mesh& mesh, std::vector<Panel>& panel
   Tree tree(faces(mesh).first, faces(mesh).second, mesh);
   tree.accelerate_distance_queries();
   const double n = double(num_vertices(mesh));
-  Table table(
-      {name + ": prediction", "kept", "bits per vertex", "error", "error to surface", "time [s]"});
+  Table table(name,
+              {"prediction", "kept", "bits per vertex", "error", "error to surface", "time [s]"});
   for(const double percent : {5., 10., 20.})
   {
     const Wavelet wavelet(mesh);
