@@ -161,7 +161,8 @@ int main(int argc, char* argv[])
 {
   const bool is_quick = argc > 1 && std::string(argv[1]) == "--quick";
   Table pairs("all pairs", {"all pairs, k = 0", "vertices", "samples", "gradient: set-up [s]",
-                            "query [s]", "balanced: set-up [s]", "query [s]", "biharmonic [s]"});
+                            "gradient: query [s]", "balanced: set-up [s]", "balanced: query [s]",
+                            "biharmonic [s]"});
   std::vector<std::string> names = {"triceratops_2k8", "fandisk_6k5",
                                     "fsaverage5_inflated_left_10k"};
   if(!is_quick)

@@ -179,8 +179,9 @@ Basis_measurement measure_basis(const Triangles& t, Particular_field kind)
 void print_basis(bool is_quick)
 {
   Table table("k = 100",
-              {"k = 100, seconds", "vertices", "paper", "paper's flow: clusters", "error %",
-               "minimized", "default flow: clusters", "error %", "minimized"});
+              {"k = 100, seconds", "vertices", "paper", "paper's flow: clusters",
+               "paper's flow: error %", "paper's flow: minimized", "default flow: clusters",
+               "default flow: error %", "default flow: minimized"});
   for(const One_to_all& row : one_to_all_rows(is_quick))
     if(const auto mesh = load_model(row.ours))
     {
