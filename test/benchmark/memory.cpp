@@ -37,8 +37,8 @@ std::string per_vertex(double bytes, std::size_t number_of_vertices)
 std::string milliseconds(double seconds) { return format_significant(1000. * seconds); }
 
 // Adds a row with the memory of a solver before and after queries over the whole surface, in
-// addition to the domain, and the times of the first two and of later queries from one source. No
-// solver changes after the fifth query.
+// addition to the domain, and the times of the first and of later queries from one source. No solver
+// stores more data after the beginning of the fifth query.
 template <typename Method, typename Surface, typename Domain, typename Source>
 void add_solver(Table& table, const std::string& name, const std::string& method,
                 const Domain& domain, std::size_t n, Source source)
@@ -52,10 +52,10 @@ void add_solver(Table& table, const std::string& name, const std::string& method
   for(int i = 0; i < 10; ++i)
   {
     times.push_back(cpu_seconds([&] { solver->compute(source); }));
-    if(i == 0 || i == 1 || i == 4)
+    if(i == 0 || i == 4)
       row.push_back(bytes());
   }
-  for(const double seconds : {setup, times[0], times[1], median({times.begin() + 5, times.end()})})
+  for(const double seconds : {setup, times[0], median({times.begin() + 5, times.end()})})
     row.push_back(milliseconds(seconds));
   table.add(row);
 }
@@ -63,9 +63,8 @@ void add_solver(Table& table, const std::string& name, const std::string& method
 Table solver_table(const std::string& title)
 {
   return Table(title, {"surface", "vertices", "method", "new [bytes per vertex]",
-                       "after 1 query [bytes per vertex]", "after 2 queries [bytes per vertex]",
-                       "after 5 queries [bytes per vertex]", "set-up [ms]", "query 1 [ms]",
-                       "query 2 [ms]", "later queries [ms]"});
+                       "after 1 query [bytes per vertex]", "after 5 queries [bytes per vertex]",
+                       "set-up [ms]", "query 1 [ms]", "later queries [ms]"});
 }
 
 Table domain_table(const std::string& title)
