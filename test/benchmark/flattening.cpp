@@ -66,10 +66,11 @@ double total_curvature(const Mesh& mesh)
   return result / (2. * CGAL_PI);
 }
 
-void add_row(Table& table, const std::string& name, const std::string& method,
-             const GP::Flattening_distortion& d)
+void add_row(Table& table, const std::string& name, std::size_t number_of_vertices,
+             double curvature, const std::string& method, const GP::Flattening_distortion& d)
 {
-  table.add({name, method, format_significant(d.conformal), format_significant(d.authalic),
+  table.add({name, std::to_string(number_of_vertices), format_significant(curvature), method,
+             format_significant(d.conformal), format_significant(d.authalic),
              format_significant(d.conformal + d.authalic), format_fixed(d.symmetric_dirichlet, 4),
              format_significant(d.l2_stretch), format_significant(d.linf_stretch),
              std::to_string(d.number_of_flips)});
@@ -128,17 +129,15 @@ struct Distortion_counts
 // Adds a row for each map of a patch.
 void add_patch_rows(Table& table, Distortion_counts& counts, const std::string& name, Mesh& mesh)
 {
+  const double patch_curvature = total_curvature(mesh);
   const auto add_measurement = [&](const std::string& method, const UV_map& uv)
   {
     const auto found = GP::flattening_distortion(mesh, uv);
-    add_row(table, method == "glle" ? name : "", method, found);
+    add_row(table, name, num_vertices(mesh), patch_curvature, method, found);
     return found;
   };
   const UV_map uv = new_map(mesh), other_uv = new_map(mesh);
   GP::geodesic_lle(mesh, uv);
-  const double patch_curvature = total_curvature(mesh);
-  table.add({name + ": curvature " + format_significant(patch_curvature) + " * 2 pi", "", "", "",
-             "", "", "", "", ""});
   const auto glle = add_measurement("glle", uv);
   counts.add_glle(glle, patch_curvature);
   GP::geodesic_mds(mesh, other_uv);
@@ -382,8 +381,8 @@ void print_distortion(bool is_quick)
 {
   std::printf("Distortion: conformal energy Ec, authalic energy Ea, symmetric Dirichlet energy, "
               "L2 and Linf stretch\n\n");
-  Table table("distortion",
-              {"patch", "method", "Ec", "Ea", "Ec + Ea", "Dirichlet", "L2", "Linf", "flips"});
+  Table table("distortion", {"patch", "vertices", "curvature / 2 pi", "method", "Ec", "Ea",
+                             "Ec + Ea", "Dirichlet", "L2", "Linf", "flips"});
   Table base_point_table("base points", {"patch: Dirichlet energy", "5 base points", "10", "20",
                                          "100", "20, injective", "100, injective"});
   Distortion_counts counts;
@@ -420,7 +419,7 @@ void print_times(bool is_quick, bool is_patient)
     if(auto mesh = load_model("terrain_st_helens_149k"))
     {
       meshes.emplace_back("terrain_st_helens_149k", *mesh);
-      meshes.emplace_back("  refined once", refined(*mesh));
+      meshes.emplace_back("terrain_st_helens_149k, refined once", refined(*mesh));
     }
   }
   for(auto& [name, mesh] : meshes)

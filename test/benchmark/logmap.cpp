@@ -121,12 +121,12 @@ private:
 void add_methods(Error_table& table)
 {
   table.add<GP::Gradient<>>("Gradient<Euclidean_front>");
-  table.add<GP::Gradient<>>("  stencil of 0.1", 0.1);
-  table.add<GP::Gradient<>>("  stencil of 0.2", 0.2);
+  table.add<GP::Gradient<>>("Gradient<Euclidean_front>, stencil of 0.1", 0.1);
+  table.add<GP::Gradient<>>("Gradient<Euclidean_front>, stencil of 0.2", 0.2);
   table.add<GP::Gradient<GP::Exact>>("Gradient<Exact>");
   table.add<GP::Gradient<GP::Heat>>("Gradient<Heat>", 0., 20000);
   table.add<GP::Gradient<GP::Fast_marching>>("Gradient<Fast_marching>");
-  table.add<GP::Gradient<GP::Fast_marching>>("  stencil of 0.2", 0.2);
+  table.add<GP::Gradient<GP::Fast_marching>>("Gradient<Fast_marching>, stencil of 0.2", 0.2);
   table.add<GP::Gradient<GP::Dijkstra>>("Gradient<Dijkstra>");
   table.add<GP::Exact>("Exact");
   table.add<GP::Discrete_exponential>("Discrete_exponential");
