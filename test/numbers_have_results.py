@@ -22,7 +22,7 @@ from results import Results, read_all
 
 EXCEPTIONS = ROOT / "doc" / "numbers_without_results.tsv"
 UNIT = r"(?:[mµ]?s|%|[kKMGT]?B|bytes?|times|(?:micro|milli)?seconds?|minutes?|hours?|(?:mega|giga)bytes?)"
-NUMBER = r"\d[\d,]*(?:\.\d+)?(?: &(?:times|middot); 10<SUP>-?\d+</SUP>|e-?\d+)?"
+NUMBER = r"\d+(?:,\d{3})*(?:\.\d+)?(?: &(?:times|middot); 10<SUP>-?\d+</SUP>|e-?\d+)?"
 MEASURED = re.compile(rf"({NUMBER})(?:(?: (?:to|and|or|by|/|\+) |, )({NUMBER}))? ?{UNIT}\b(?!-)|({NUMBER}) ?%")
 CELL = re.compile(rf"^[-+<]?(?:{NUMBER})(?:(?: to |, | / | \+ )-?{NUMBER})*$")
 CODE = re.compile(r"\\(verbatim|code|f\[).*?\\(?:endverbatim|endcode|f\])|```.*?```|`[^`]*`|\\f\$.*?\\f\$", re.S)

@@ -185,7 +185,7 @@ curves_diameter = grid(
      Column("gap, %", "diameter and radius", "radius: gap %"),
      Column("seconds", "diameter and radius", "radius to 1 % [s]")])
 
-curves_splines = Whole("curves", "curves", MODELS, 3)
+curves_splines = Whole("curves", "curves", MODELS, number_of_labels=3)
 
 # Point clouds
 
@@ -275,7 +275,7 @@ cloud_robust = Table(
      for cloud in ("sphere", "plane", "cylinder")
      for method, weights in (("spheres", "spheres"), ("robust_spheres", "robust spheres"))])
 
-cloud_times = Whole("surfels", "table 2 of the paper, seconds", {}, 1)
+cloud_times = Whole("surfels", "table 2 of the paper, seconds")
 
 cloud_graph_times = Table(
     ["surfels", "graph, paper", "graph", "100 paths"],
@@ -372,10 +372,290 @@ remeshing_steps = Table(
      for steps in ("0 steps", "12 steps", "12 steps, fitted", "30 steps", "30 steps, fitted",
                    "60 steps, fitted")])
 
+HOLE_METHODS = ("minimal_dihedral_angles", "unfolding")
+HOLES = {"bunny_zipper_36k": "bunny (zipper)", "plane_holes_8k5": "plane with holes",
+         "mech_holes_shark_5k": "mechanical part with holes", "blade_8k": "blade", "pig_468": "pig",
+         **{f"radius of {radius} edges": f"radius of {radius} edges" for radius in (2, 4, 7, 12)}}
+
+remeshing_holes = Table(
+    ["holes", "number", *(f"`{method}`: angle, dihedral angle, pairs" for method in HOLE_METHODS),
+     "largest time, seconds"],
+    [[name, Value("holes", "holes", (holes, "minimal_dihedral_angles"), "filled"),
+      *(Text("{}, {}, {}", *(Value("holes", "holes", (holes, method), column)
+                             for column in ("mean smallest angle [degrees]",
+                                            "largest dihedral angle [degrees]",
+                                            "new intersecting pairs")))
+        for method in HOLE_METHODS),
+      Range([Value("holes", "holes", (holes, method), "time [s]") for method in HOLE_METHODS])]
+     for holes, name in HOLES.items()])
+
+# Wavelets
+
+WAVELET_MESHES = {f"{model}{kind}": f"{name}, {text}"
+                  for kind, text in ((", smooth", "smooth"), ("", "semi-regular"))
+                  for model, name in (("bunny_37k", "bunny"), ("nefertiti_35k", "Nefertiti"))}
+
+
+def wavelet_row(mesh: str, name: str, prediction: str) -> List[Cell]:
+    def tenth(method: str, column: str) -> Value:
+        return Value("wavelets", mesh, (method, "10 %"), column)
+
+    return [name, f"`{prediction}`",
+            *(Ratio(tenth("samples", column), tenth(prediction, column))
+              for column in ("error", "error to surface")),
+            *(Value("wavelets", mesh, (prediction, "", "6.00"), column)
+              for column in ("error", "error to surface"))]
+
+
+wavelets_errors = Table(
+    ["mesh", "prediction", "gain, vertex error", "gain, surface error",
+     "vertex error at 6 bits per vertex, 10<SUP>-4</SUP> diagonals", "surface error"],
+    [wavelet_row(mesh, name, prediction) for mesh, name in WAVELET_MESHES.items()
+     for prediction in ("butterfly", "linear")], 2)
+
 # Base meshes
 
 base_steps = Whole("base", "steps of the paper", MODELS)
-base_semi_regular = Whole("base", "semi-regular meshes", {})
+base_meshes = Whole(
+    "base", "base meshes", MODELS,
+    {"model": "model", "base": "base vertices", "folds H": "inverted before repair",
+     "repaired faces": "repaired base faces", "folds": "inverted after repair",
+     "round trip": "round trip", "Ec H": "Ec, Heron", "Ea H": "Ea, Heron",
+     "Ec M": "Ec, mean values", "Ea M": "Ea, mean values", "base [s]": "base mesh, seconds",
+     "map [s]": "parameterization, seconds"})
+base_semi_regular = Whole("base", "semi-regular meshes")
+flattening_optimality = Whole("distortion", "optimality")
+
+# Samples
+
+sampling_times = Whole(
+    "sampling", "samples", MODELS,
+    {"mesh": "mesh", "vertices": "vertices", "method": "method", "samples": "samples",
+     "one front [ms]": "one front, ms", "all samples [s]": "all samples, seconds", "ratio": "ratio"})
+
+# Flattening
+
+PATCHES = {
+    "disk_5k": "disk", "alligator_3k": "alligator", "bff_maze_6k": "maze",
+    "cylinder_locally_refined_8k": "capped cylinder", "hemisphere_2k": "hemisphere",
+    "patch_01_735": "smooth patch", "nefertiti_299": "Nefertiti", "mushroom_2k": "mushroom",
+    "three_peaks_2k": "three peaks", "camelhead_11k": "camel's head", "bff_face_17k": "face",
+    "mannequin_devil_13k": "mannequin with horns", "terrain_st_helens_149k": "Mount St. Helens"}
+
+
+def flattening_value(patch: str, method: str, column: str) -> Value:
+    return Value("flattening", "distortion", (patch, ANY, ANY, method), column)
+
+
+def flattening_cell(patch: str, method: str) -> Text:
+    return Text("{}, {}, {}", *(flattening_value(patch, method, column)
+                                for column in ("Ec", "Ea", "flips")))
+
+
+flattening_distortion = Table(
+    ["patch", "vertices", "\\f$ \\int \\vert K \\vert / 2\\pi \\f$", "`geodesic_lle()`",
+     "`geodesic_mds()`", "LSCM", "authalic"],
+    [[name, flattening_value(patch, "glle", "vertices"),
+      flattening_value(patch, "glle", "curvature / 2 pi"),
+      *(flattening_cell(patch, method) for method in ("glle", "mds", "CGAL lscm", "CGAL authalic"))]
+     for patch, name in PATCHES.items()])
+
+flattening_energy = Table(
+    ["patch", "`minimize_distortion()`: energy", "inverted faces", "ARAP: energy", "inverted faces"],
+    [[name, *(flattening_value(patch, method, column)
+              for method in ("injective", "CGAL arap") for column in ("Dirichlet", "flips"))]
+     for patch, name in PATCHES.items() if patch != "terrain_st_helens_149k"])
+
+flattening_times = Whole(
+    "flattening", "times", {**PATCHES, "terrain_st_helens_149k, refined once":
+                            "Mount St. Helens, refined 1-to-4"},
+    {"patch": "patch", "vertices": "vertices", "glle": "`geodesic_lle()`",
+     "mds": "`geodesic_mds()`", "injective": "`minimize_distortion()`", "CGAL lscm": "LSCM",
+     "CGAL arap": "ARAP"})
+
+flattening_base_points = Whole(
+    "flattening", "base points", PATCHES,
+    {"patch: Dirichlet energy": "patch", "5 base points": "5 base points", "10": "10", "20": "20",
+     "100": "100", "20, injective": "20, `minimize_distortion()`",
+     "100, injective": "100, `minimize_distortion()`"})
+
+FLATTENING_PAPER = {"fast marching": "fast marching", "sampling, 200": "200 samples",
+                    "Lloyd step": "step of a centroidal tessellation", "mds": "`geodesic_mds()`",
+                    "conformal": "conformal", "authalic": "authalic", "glle": "`geodesic_lle()`",
+                    "lle alone": "embedding alone", "vertices": "vertices"}
+
+
+flattening_paper_1 = Whole(
+    "flattening", "table I of the paper", {"camelhead_11k (10k)": "camel's head"},
+    {"table I: seconds (paper)": "patch",
+     **{name: FLATTENING_PAPER[name] for name in
+        ("vertices", "fast marching", "sampling, 200", "Lloyd step", "mds", "glle")}})
+
+flattening_paper_2 = Whole(
+    "flattening", "table II of the paper", {"camelhead_11k (10,000)": "camel's head (10,000)"},
+    {"table II: seconds (paper)": "patch",
+     **{name: FLATTENING_PAPER[name] for name in ("vertices", "mds", "conformal", "glle")}})
+
+flattening_paper_3 = Whole(
+    "flattening", "table III of the paper", PATCHES,
+    {"table III: Ec, Ea (paper)": "patch",
+     **{name: FLATTENING_PAPER[name] for name in
+        ("conformal", "authalic", "mds", "glle", "lle alone")}})
+
+STARTS = {"lle": "start `lle`", "mds": "start `mds`", "lle alone": "embedding alone",
+          "centered, interpolated": "centered", "centered, Nystrom": "centered, Nystr&ouml;m",
+          "printed, interpolated": "printed", "printed, Nystrom": "printed, Nystr&ouml;m"}
+
+flattening_starts = Table(
+    ["patch", *STARTS.values()],
+    [[name, *(Value("flattening", "starts", patch, column, part=1) for column in STARTS)]
+     for patch, name in PATCHES.items()])
+
+THEORY = {
+    "mips": "\\f$ 1 + \\vert K \\vert r^2 / 6 \\f$", "symmetric_mips": "\\f$ 2 + K^2 r^4 / 36 \\f$",
+    "conformal": "\\f$ K^2 r^4 / 72 \\f$", "green_lagrange": "\\f$ K^2 r^4 / 9 \\f$",
+    "combined(1)": "\\f$ 4 + K^2 r^4 / 9 \\f$", "dirichlet": "\\f$ 1 - K r^2 / 6 \\f$",
+    "l2_stretch": "\\f$ 1 - K r^2 / 12 \\f$",
+    "linf_stretch": "\\f$ 1 + \\max(-K, 0) r^2 / 6 \\f$",
+    "symmetric_stretch": "\\f$ 1 + \\vert K \\vert r^2 / 6 \\f$",
+    "riemannian": "\\f$ \\vert K \\vert r^2 / 3 \\f$"}
+
+flattening_measures = Table(
+    ["measure", "theory", "\\f$ K = 1 \\f$", "measured", "\\f$ K = -1 \\f$", "measured"],
+    [[f"`{name}`" if name.endswith(")") else f"`{name}()`", formula,
+      *(Value("distortion", "coefficients of measures", name, column)
+        for column in ("K = 1", "Gradient, K = 1", "K = -1", "Gradient, K = -1"))]
+     for name, formula in THEORY.items()])
+
+flattening_metric = Whole(
+    "distortion", "metric on the sphere", {},
+    {"u": "\\f$ u \\f$", "Gradient": "`Gradient<>`", "Exact": "`Exact`",
+     "expansion": "second-order expansion", "sphere": "sphere"})
+
+flattening_coefficients = Whole(
+    "distortion", "Taylor coefficients of the metric", {},
+    {"surface": "surface", "method": "method", "vertices": "vertices", "radius": "radius",
+     "K/3": "\\f$ K/3 \\f$", "g11 v^2": "\\f$ u_2^2 \\f$ in \\f$ g_{11} \\f$",
+     "g12 uv": "\\f$ u_1 u_2 \\f$ in \\f$ g_{12} \\f$",
+     "g22 u^2": "\\f$ u_1^2 \\f$ in \\f$ g_{22} \\f$", "other": "others"}, number_of_labels=2)
+
+flattening_residuals = Whole(
+    "distortion", "deviation of the metric", {},
+    {"surface": "surface", "method": "method", "vertices": "vertices",
+     "0.1": "\\f$ r = 0.1 \\f$", "0.2": "0.2", "0.4": "0.4", "0.6": "0.6"}, number_of_labels=2)
+
+# Logarithmic maps
+
+LOG_MAPS = {"Gradient<Euclidean_front>": "`Gradient<>`",
+            "Gradient<Euclidean_front>, stencil of 0.2": "`Gradient<>`, `stencil_length(0.2)`",
+            "Gradient<Exact>": "`Gradient<Exact>`", "Gradient<Heat>": "`Gradient<Heat>`",
+            "Gradient<Fast_marching>": "`Gradient<Fast_marching>`",
+            "Gradient<Dijkstra>": "`Gradient<Dijkstra>`", "Exact": "`Exact`",
+            "Discrete_exponential": "`Discrete_exponential`"}
+
+logmap_errors = Table(
+    ["method", *(f"{surface}, {size}" for surface in ("icosphere", "random points")
+                 for size in ("10,242", "40,962", "163,842"))],
+    [[name, *(Value("logmap", f"errors on {surface}, %", method, size)
+              for surface in ("icospheres", "random points")
+              for size in ("10242", "40962", "163842"))]
+     for method, name in LOG_MAPS.items()])
+
+logmap_clouds = Whole("logmap", "spherical clouds",
+                      {"random": "random surfels", "spiral": "surfels on a spiral",
+                       "octahedron": "subdivided octahedron"},
+                      {"mean error % on a spherical cloud": "cloud", "surfels": "surfels",
+                       "Gradient<Euclidean_front>": "error of `Gradient<>`, %"})
+
+GRADIENTS = {f"Gradient<{method}>": f"`Gradient<{method}>`"
+             for method in ("Dijkstra", "Fast_marching", "Euclidean_front", "Exact")}
+
+logmap_lengths = Table(
+    ["method", "noise", "distance, %", "gradient, stencil of 1 edge, %", "of 3 edges"],
+    [[name, f"{noise} %", *(Value("logmap", "lengths on noisy spheres", (noise, method), column)
+                            for column in ("distance", "1 ring", "3 rings"))]
+     for method, name in GRADIENTS.items() for noise in ("0", "5")], 2)
+
+logmap_noise = Table(
+    ["method", "noise", "plain", "30 smoothing steps", "3 base refinements", "both"],
+    [[name, f"{noise} %",
+      *(Text("{}, {}", *(Value("logmap", "angles on noisy spheres", (noise, method + option), column,
+                               part=0) for column in ("default stencil", "3 rings")))
+        for option in ("", ", 30 steps", ", 3 refinements", ", 30 steps, 3 refinements"))]
+     for method, name in GRADIENTS.items() if method != "Gradient<Exact>"
+     for noise in ("0", "5")], 2)
+
+logmap_smoothed = Table(
+    ["mesh with noise of 5 %", "`Gradient<>`, default stencil, degrees", "`Exact`, degrees"],
+    [[name, *(Value("logmap", "angles on noisy spheres", ("5", method + suffix), "default stencil",
+                    part=1) for method in ("Gradient<Euclidean_front>", "Exact"))]
+     for suffix, name in (("", "as it is"), (", smoothed mesh", "smoothed by `smooth_shape()`"))])
+
+MEANS = {"mesh": "points on", "cloud": "points on", "vertices": "vertices", "surfels": "surfels",
+         "locations": "points", "radius": "radius of the ball", "time [s]": "seconds",
+         "iterations": "iterations", "error": "error"}
+logmap_means = Whole("means", "means on meshes", MODELS,
+                     {name: MEANS[name] for name in ("mesh", "vertices", "locations", "radius",
+                                                     "time [s]", "iterations", "error")})
+logmap_cloud_means = Whole("means", "means on clouds", {},
+                           {name: MEANS[name] for name in ("cloud", "surfels", "locations",
+                                                           "time [s]", "iterations", "error")})
+
+# Transport
+
+transport_accuracy = Whole(
+    "transport_bounds", "bounds on models", MODELS,
+    {"model": "model", "vertices": "vertices",
+     "value below exact % (mean / max)": "`value` below, %, mean / maximum",
+     "upper_continuous excess %": "`upper_continuous` above, %, mean / maximum"},
+    ("fandisk_6k5", "kitten_9k", "camel_10k", "nefertiti_35k", "bunny_37k"))
+transport_basis_sizes = Whole("transport_claims", "basis sizes", {
+    **MODELS, "distance of two densities": "surface"})
+transport_excess = Whole("transport_claims", "monotonicity", {
+    **MODELS, **PATCHES, "plane_holes_8k5": "plane with holes", "pig_468": "pig"})
+transport_pairs = Whole("transport_family", "all pairs", MODELS)
+transport_one_to_all = Whole(
+    "transport_family", "one to all", MODELS,
+    {"one to all": "mesh", "vertices": "vertices", "family": "family", "k": "`k`",
+     "set-up [s]": "set-up, seconds", "query [s]": "query, seconds", "mean error %": "mean error, %",
+     "above geodesic %": "above geodesic, %"})
+transport_paper_1 = Whole("transport_times", "table 1 of the paper")
+transport_paper_basis = Whole("transport_times", "k = 100")
+transport_paper_2 = Whole("transport_times", "table 2 of the paper")
+transport_triangles = Whole("transport_claims", "triangle inequality", MODELS)
+transport_stability = Whole("transport_claims", "stability")
+transport_isotropy = Whole("transport_claims", "anisotropy")
+transport_unevenness = Whole("transport_claims", "unevenness", {**MODELS, **PATCHES})
+
+# Flows
+
+flows_barycenters = Whole(
+    "barycenters", "points on meshes", MODELS,
+    {"mesh": "points on", "vertices": "vertices", "points": "points",
+     "250 steps [s]": "250 steps, seconds", "cost excess %": "above the optimum, %", "gap %": "gap, %",
+     "steps to gap of 1 %": "steps to a gap of 1 %", "time [s]": "seconds"})
+flows_regions = Whole("regions", "exits with capacities")
+flows_streamlines = Whole(
+    "flows", "streamlines", MODELS,
+    {"model": "surface", "vertices": "vertices", "masses": "masses",
+     "excess length % (mean / max)": "as traced, %, mean / maximum",
+     "shortened %": "shortened, %, mean / maximum",
+     "assignment excess %": "assignment above the distance, %", "tracing [s]": "seconds to trace",
+     "shortening [s]": "seconds to shorten"})
+flows_balls = Whole("flows", "balls", MODELS)
+
+# Volumes
+
+volumes_coordinates = Whole(
+    "volumes", "coordinates", MODELS,
+    {"coordinates": "model", "vertices": "vertices",
+     "linear error [diagonals]": "linear error, diagonals",
+     "time per point [ms]": "time of a point, ms"})
+volumes_slices = Whole(
+    "volumes", "slices", MODELS,
+    {"slice, 2 threads": "model", "vertices": "vertices", "points": "points",
+     "processor [s]": "processor time, seconds", "wall-clock [s]": "wall-clock time, seconds",
+     "solved": "solved", "maximum gap %": "largest gap, %", "maximum error %": "largest error, %"})
 
 # Performance
 

@@ -4,8 +4,8 @@
 
 import math
 import re
-from dataclasses import dataclass
-from typing import Dict, List, Optional, Sequence, Tuple, Union
+from dataclasses import dataclass, field
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from results import ANY, Results
 
@@ -119,21 +119,29 @@ class Table:
 
 @dataclass(frozen=True)
 class Whole:
-    """A table of a data file with all rows and columns.
+    """A table of a data file with the order of its rows.
 
-    names   of cells of the first column and of headings that are written differently
+    names    of cells of the first column that are written differently
+    columns  the headings that are written, each with the heading in the manual (default: all)
+    rows     the first cells of the rows that are written (default: all)
     """
     file: str
     table: str
-    names: Dict[str, str]
+    names: Mapping[str, str] = field(default_factory=dict)
+    columns: Optional[Mapping[str, str]] = None
+    rows: Optional[Sequence[str]] = None
     number_of_labels: int = 1
 
     def write(self, results: AllResults) -> str:
-        table = results[self.file].tables[self.table]
-        rows = [[self.names.get(row[0], row[0]), *(readable(cell) for cell in row[1:])]
-                for row in table.rows]
-        headings = [self.names.get(heading, heading) for heading in table.headings]
-        return Table(headings, rows, self.number_of_labels).write(results)
+        try:
+            table = results[self.file].tables[self.table]
+            columns = self.columns or {heading: heading for heading in table.headings}
+            indices = [table.headings.index(heading) for heading in columns]
+        except (KeyError, ValueError) as error:
+            raise KeyError(f"{self.file}, {self.table}: {error}") from error
+        rows = [[self.names.get(row[i], readable(row[i])) for i in indices]
+                for row in table.rows if self.rows is None or row[0] in self.rows]
+        return Table(list(columns.values()), rows, self.number_of_labels).write(results)
 
 
 def grid(file: str, label: Union[str, Sequence[str]], rows: Dict[Key, Union[str, Sequence[str]]],
