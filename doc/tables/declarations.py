@@ -4,7 +4,7 @@
 
 from typing import Dict, List, Sequence, Union
 
-from markdown import Cell, Column, Key, Range, Ratio, Table, Text, Value, Whole, grid
+from markdown import AnyTable, Cell, Column, Key, Range, Ratio, Table, Text, Value, Whole, grid
 from results import ANY
 
 # The models of the data folder, as the manual names them.
@@ -16,7 +16,7 @@ MODELS = {
     "human_woman_7k": "woman", "kitten_9k": "kitten", "man_17k": "man",
     "mech_holes_shark_5k": "mechanical part with holes", "mni152_grey_matter_533k": "grey matter",
     "nefertiti_35k": "Nefertiti", "pinion_650": "pinion", "rotor_2k4": "rotor",
-    "triceratops_2k8": "triceratops", "turbine_9k": "part of a turbine",
+    "triceratops_2k8": "triceratops", "turbine_9k": "part of a turbine", "turbine": "part of a turbine", "icosphere 5": "sphere",
 }
 METHODS = {name: f"`{name}`" for name in ("Dijkstra", "Fast_marching", "Euclidean_front", "Exact",
                                           "Heat")}
@@ -760,7 +760,73 @@ performance_distances = Table(
       "\\ref GP_Curves_diameter"],
      ["B&eacute;zier curve with 64 segments", "37,706 vertices",
       Text("{} s", Value("curves", "curves", ("bunny_37k", ANY, ANY, "64"), "time [s]")),
-      "\\ref GP_Curves_subdivision"]])
+      "\\ref GP_Curves_subdivision"]], 4)
 
-TABLES: Dict[str, Union[Table, Whole]] = {
+TIMES_SECTION = "\\ref GP_Transport_times \"Transport, times\""
+# The samples, the mesh, its number of vertices, and the key of the row.
+SAMPLED = (("1,000", "grey matter", "533,000", ("mni152_grey_matter_533k", ANY, "Euclidean_front", "1000")),
+           ("5,000", "bunny, refined once", "150,000", ("bunny_37k, refined once", ANY, "Euclidean_front", "5000")))
+
+performance_meshes = Table(
+    ["task", "size", "time", "section"],
+    [*(row(f"{samples} farthest point samples", f"{mesh}, {size} vertices",
+           Text("{} fronts over the mesh", Value("sampling", "samples", key, "ratio")),
+           "\\ref GP_Samples_implementation \"Sampling and Voronoi Diagrams\"")
+       for samples, mesh, size, key in SAMPLED),
+     ["remeshing with 5,000 vertices, 60 relaxation steps and a fit", "2,775 to 37,706 vertices",
+      Text("{} s", Range([Value("remeshing", "quality", (name, "5000", "60 steps, fitted"),
+                                "time [s]") for name in REMESHED])),
+      "\\ref GP_Remeshing_quality"],
+     *(row(task, "5,246 to 6,475 vertices",
+           Text("{} s", Range([Value("base", "steps of the paper", name, column)
+                               for name in ("eight_5k", "mech_holes_shark_5k", "fandisk_6k5")])),
+           "\\ref GP_Base_implementation \"Base Meshes\"")
+       for task, column in (("base mesh of 500 vertices", "base mesh (about 10)"),
+                            ("semi-regular mesh, 500 base vertices and four levels",
+                             "complete model (less than 60)"))),
+     ["mean of 1,000 points on a sphere, ball of radius 1.41", "40,962 vertices",
+      Text("{} s", Value("means", "means on meshes", ("sphere", "40962", "1000", "1.41"),
+                         "time [s]")), "\\ref GP_LogMap_means"],
+     ["placement of an image that covers 2,000 faces", "533,000 vertices",
+      Text("{} ms", Value("decal", "placement", ("mni152_grey_matter_533k", ANY, "gradient"),
+                          "placement [ms]")), "\\ref GP_Decals_implementation \"Decals\""],
+     *(row(task, size, Text("{} s", Value("flattening", "times", patch, column)),
+           "\\ref GP_Flattening_times \"Flattening, times\"")
+       for task, size, patch, column in (
+           ("`geodesic_lle()`", "148,885 vertices", "terrain_st_helens_149k", "glle"),
+           ("`geodesic_lle()`", "593,955 vertices", "terrain_st_helens_149k, refined once",
+            "glle"),
+           ("`minimize_distortion()`, from the map of `geodesic_lle()`", "148,885 vertices",
+            "terrain_st_helens_149k", "injective")))], 4)
+
+performance_transport = Table(
+    ["task", "size", "time", "section"],
+    [["uniform mass to one vertex, all flows", "10,242 vertices",
+      Text("{} s", Value("transport_times", "table 1 of the paper", "fsaverage5_inflated_left_10k",
+                         "all flows")), TIMES_SECTION],
+     ["all pairs of 100 samples, `k` = 0, precomputation and query", "37,706 vertices",
+      Text("{} + {} s", *(Value("transport_family", "all pairs", ("bunny_37k", ANY, "100"),
+                                 f"gradient: {part} [s]")
+                          for part in ("set-up", "query"))), TIMES_SECTION],
+     *(row(f"one vertex to all, `k` = {k}, precomputation and query", "10,242 vertices",
+           Text("{} + {} s", *(Value("transport_family", "one to all",
+                                     ("fsaverage5_inflated_left_10k", ANY, family, k),
+                                     f"{part} [s]") for part in ("set-up", "query"))),
+           TIMES_SECTION) for family, k in (("balanced", "0"), ("default", "100"))),
+     ["barycenter of three points, 250 steps", "about 2,500 vertices",
+      Text("{} s", Range([Value("barycenters", "points on meshes", (name, ANY, "3"),
+                                "250 steps [s]")
+                          for name in ("rotor_2k4", "cow_2k9", "elephant_2k8",
+                                       "triceratops_2k8")])), "\\ref GP_Flows_barycenters"],
+     ["streamlines: tracer with 200 lines", "37,706 vertices",
+      Text("{} s", Range([Value("flows", "streamlines", ("bunny_37k", ANY, masses), "tracing [s]")
+                          for masses in ("points", "blobs")])), "\\ref GP_Flows_streamlines"],
+     ["mean value coordinates of a point", "10,242 vertices",
+      Text("{} ms", Value("volumes", "coordinates", "icosphere 5", "time per point [ms]")),
+      "\\ref GP_Volume_implementation \"Volumes\""],
+     ["`costs()` to a grid of 100 by 100 points, processor time", "10,242 vertices",
+      Text("{} s", Value("volumes", "slices", "icosphere 5", "processor [s]")),
+      "\\ref GP_Volume_implementation \"Volumes\""]], 4)
+
+TABLES: Dict[str, AnyTable] = {
     name: table for name, table in globals().items() if isinstance(table, (Table, Whole))}

@@ -5,11 +5,10 @@
 import math
 import re
 from dataclasses import dataclass, field
-from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Dict, List, Mapping, Optional, Protocol, Sequence, Tuple, Union
 
-from results import ANY, Results
+from results import AllResults
 
-AllResults = Dict[str, Results]
 Key = Union[str, Tuple[str, ...]]
 
 
@@ -142,6 +141,11 @@ class Whole:
         rows = [[self.names.get(row[i], readable(row[i])) for i in indices]
                 for row in table.rows if self.rows is None or row[0] in self.rows]
         return Table(list(columns.values()), rows, self.number_of_labels).write(results)
+
+
+class AnyTable(Protocol):
+    def write(self, results: AllResults) -> str:
+        """Returns the table in Markdown."""
 
 
 def grid(file: str, label: Union[str, Sequence[str]], rows: Dict[Key, Union[str, Sequence[str]]],

@@ -55,7 +55,10 @@ def read_results(path: Path) -> Results:
     return Results(run, tables)
 
 
-def read_all() -> Dict[str, Results]:
+AllResults = Dict[str, Results]
+
+
+def read_all() -> AllResults:
     """Returns the data files by their names without extension."""
     return {path.stem: read_results(path) for path in sorted(FOLDER.glob("*.tsv"))}
 
