@@ -270,8 +270,20 @@ private:
   bool m_is_empty = true;
 };
 
-// Writes an SVG file with one panel per element of `panels`, in a row. Each panel plots errors or
-// distances over a second quantity. Returns false if the file cannot be written.
+// Records the points of a panel as a table.
+inline void record_points(const Panel& panel)
+{
+  std::vector<std::vector<std::string>> rows = {
+      {"series", panel.axis, panel.axes == Axes::linear ? "distance" : "relative error"}};
+  for(const Series& series : panel.series)
+    for(const auto& [x, y] : series.points)
+      rows.push_back({series.name, format_significant(x), format_significant(y)});
+  Record::add("plot: " + panel.title, rows);
+}
+
+// Writes an SVG file with one panel per element of `panels`, in a row, and records its points. Each
+// panel plots errors or distances over a second quantity. Returns false if the file cannot be
+// written.
 inline bool write_error_plot(const std::string& file, const std::vector<Panel>& panels)
 {
   std::size_t rows = 0;
@@ -280,7 +292,10 @@ inline bool write_error_plot(const std::string& file, const std::vector<Panel>& 
   const double legend_height = double(rows) * legend_row_height + 8.;
   Svg_writer svg(file, panel_width * double(panels.size()), panel_height + legend_height);
   for(std::size_t p = 0; p < panels.size(); ++p)
+  {
     Panel_plot(svg, panels[p], p).draw();
+    record_points(panels[p]);
+  }
   return svg.close();
 }
 
