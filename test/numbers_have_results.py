@@ -21,11 +21,14 @@ from declarations import TABLES
 from results import Results, read_all
 
 EXCEPTIONS = ROOT / "doc" / "numbers_without_results.tsv"
-UNIT = r"(?:[mµ]?s|%|[kKMGT]?B|bytes?|times|(?:micro|milli)?seconds?|minutes?|hours?|(?:mega|giga)bytes?)"
+UNIT = (r"(?:[mµ]?s|[kKMGT]?B|bytes?|times|(?:micro|milli)?seconds?|minutes?|hours?"
+        r"|(?:mega|giga)bytes?)")
 NUMBER = r"\d+(?:,\d{3})*(?:\.\d+)?(?: &(?:times|middot); 10<SUP>-?\d+</SUP>|e-?\d+)?"
-MEASURED = re.compile(rf"({NUMBER})(?:(?: (?:to|and|or|by|/|\+) |, )({NUMBER}))? ?{UNIT}\b(?!-)|({NUMBER}) ?%")
+MEASURED = re.compile(rf"({NUMBER})(?:(?: (?:to|and|or|by|/|\+) |, )({NUMBER}))?"
+                      rf" ?(?:{UNIT}\b(?!-)|%)")
 CELL = re.compile(rf"^[-+<]?(?:{NUMBER})(?:(?: to |, | / | \+ )-?{NUMBER})*$")
-CODE = re.compile(r"\\(verbatim|code|f\[).*?\\(?:endverbatim|endcode|f\])|```.*?```|`[^`]*`|\\f\$.*?\\f\$", re.S)
+CODE = re.compile(r"\\(?:verbatim|code|f\[).*?\\(?:endverbatim|endcode|f\])"
+                  r"|```.*?```|`[^`]*`|\\f\$.*?\\f\$", re.S)
 SOURCES = re.compile(r"\\results\{([^}]*)\}|doc/results/(\w+)\.tsv")
 # A change of the unit: seconds and milliseconds, fractions and percent, bytes and gigabytes.
 FACTORS = tuple(10.0 ** e for e in (0, 2, -2, 3, -3, 6, -6, 9, -9))
@@ -101,7 +104,7 @@ def read_exceptions() -> Dict[Tuple[str, str], str]:
 
 
 def table_failures(pages: List[Path], results: Dict[str, Results]) -> List[str]:
-    """Lists the tables that cannot be generated, and those that no page or no declaration contains."""
+    """Lists tables that cannot be generated, are not declared, or are not in the manual."""
     result: List[str] = []
     for name, table in TABLES.items():
         try:

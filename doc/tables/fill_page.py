@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""fill_page.py PAGE: prints a page of the manual. Each line `\\table{NAME}` is replaced by the table.
+"""fill_page.py PAGE: prints a page of the manual. The table NAME replaces a line `\\table{NAME}`.
 
 Doxygen runs this filter on each page.
 """

@@ -120,7 +120,7 @@ class Table:
 class Whole:
     """A table of a data file with the order of its rows.
 
-    names    of cells of the first column that are written differently
+    names    of cells and headings that are written differently
     columns  the headings that are written, each with the heading in the manual (default: all)
     rows     the first cells of the rows that are written (default: all)
     """
@@ -134,7 +134,8 @@ class Whole:
     def write(self, results: AllResults) -> str:
         try:
             table = results[self.file].tables[self.table]
-            columns = self.columns or {heading: heading for heading in table.headings}
+            columns = self.columns or {heading: self.names.get(heading, heading)
+                                       for heading in table.headings}
             indices = [table.headings.index(heading) for heading in columns]
         except (KeyError, ValueError) as error:
             raise KeyError(f"{self.file}, {self.table}: {error}") from error
@@ -160,8 +161,8 @@ def grid(file: str, label: Union[str, Sequence[str]], rows: Dict[Key, Union[str,
     for key, names in rows.items():
         row: List[Cell] = [names] if isinstance(names, str) else list(names)
         row_key = (key,) if isinstance(key, str) else key
-        row.extend(Value(c.file or file, c.table, row_key + c.key, c.column, c.digits, c.factor, c.part)
-                   for c in columns)
+        row.extend(Value(c.file or file, c.table, row_key + c.key, c.column, c.digits, c.factor,
+                         c.part) for c in columns)
         cells.append(row)
     return Table(labels + [c.heading for c in columns], cells, len(labels))
 
@@ -176,7 +177,7 @@ def rounded(number: float, digits: int) -> str:
 
 
 def readable(cell: str) -> str:
-    """Returns the cell with separated thousands and with powers of ten. A missing number is empty."""
+    """Returns the cell with separated thousands and powers of ten, or nothing for a missing number."""
     if cell == "-":
         return ""
     if cell.isdigit():
