@@ -49,7 +49,7 @@ void add_solver(Table& table, const std::string& name, const std::string& method
   const double setup = cpu_seconds([&] { solver.emplace(domain); });
   std::vector<std::string> row = {name, std::to_string(n), method, bytes()};
   std::vector<double> times;
-  for(int i = 0; i < 10; ++i)
+  for(int i = 0; i < 8; ++i)
   {
     times.push_back(cpu_seconds([&] { solver->compute(source); }));
     if(i == 0 || i == 4)
