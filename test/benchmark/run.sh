@@ -76,5 +76,7 @@ for program in "${programs[@]}"; do
     transport_claims) arguments+=("$plots/basis_size.svg") ;;
   esac
   printf '\n'
+  load=$(cut -d ' ' -f 1 /proc/loadavg)
   "$build/test/benchmark/$program" "${arguments[@]}" || exit 1
+  ! $is_recorded || sed -i "1a load average before\t$load" "$GEODESIC_PROCESSING_RESULTS/$program.tsv"
 done
