@@ -160,4 +160,4 @@ curves_diameter = grid(
      Column("gap, %", "diameter and radius", "radius: gap %"),
      Column("seconds", "diameter and radius", "radius to 1 % [s]")])
 
-curves_splines = Whole("curves", "curves", MODELS, number_of_labels=3)
+curves_splines = Whole("curves", "curves", {**MODELS, "time [s]": "seconds"}, number_of_labels=3)
