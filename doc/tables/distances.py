@@ -131,7 +131,7 @@ paths_speeds = grid(
 # Curves
 
 curves_isolines = grid(
-    "isolines", "mesh", {"square 1001^2": "jittered grid"},
+    "isolines", "mesh", {"square 1000": "jittered grid"},
     [Column("vertices", "milliseconds", "vertices"),
      Column("`make_domain()`, ms", "milliseconds", "domain"),
      Column("`isolines()` of the domain, ms", "milliseconds", "isolines, domain"),

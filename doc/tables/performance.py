@@ -107,7 +107,7 @@ performance_distances = Table(
       Text("{} s", Value("surfels", "table 1 of the paper, seconds", "1060220", "processor")),
       "\\ref GP_Clouds_times \"Clouds, times\""],
      ["split of a mesh at 20 isovalues", "1 million vertices",
-      Text("{} ms", Value("isolines", "milliseconds", "square 1001^2", "split, mesh")),
+      Text("{} ms", Value("isolines", "milliseconds", "square 1000", "split, mesh")),
       "\\ref GP_Curves_isolines"],
      ["diameter, tolerance of 1 %", "650 to 37,706 vertices",
       Text("{} s", Range([Value("curves", "diameter and radius", name, "diameter to 1 % [s]")
