@@ -22,7 +22,7 @@ from results import Results, read_all
 
 # The pages whose numbers do not come from data files yet.
 NOT_CONVERTED = (
-    "base_meshes.txt", "clouds.txt", "distances.txt", "flattening.txt", "flows.txt",
+    "clouds.txt", "distances.txt", "flattening.txt", "flows.txt",
     "logarithmic_maps.txt", "papers.txt", "paths.txt", "performance.txt", "program.txt",
     "remeshing.txt", "sampling.txt", "segmentation.txt", "transport.txt", "volumes.txt",
     "wavelets.txt")

@@ -68,14 +68,23 @@ remeshing_holes = Table(
 
 base_steps = Whole("base", "steps of the paper",
                    {**MODELS, "model": "model (in parentheses: paper)"})
+BASE_MODELS = ("bunny_37k", "armadillo_26k", "fandisk_6k5", "knot1_3k", "plane_holes_8k5")
 base_meshes = Whole(
     "base", "base meshes", MODELS,
     {"model": "model", "base": "base vertices", "folds H": "inverted before repair",
      "repaired faces": "repaired base faces", "folds": "inverted after repair",
      "round trip": "round trip", "Ec H": "Ec, Heron", "Ea H": "Ea, Heron",
      "Ec M": "Ec, mean values", "Ea M": "Ea, mean values", "base [s]": "base mesh, seconds",
-     "map [s]": "parameterization, seconds"})
-base_semi_regular = Whole("base", "semi-regular meshes")
+     "map [s]": "parameterization, seconds"},
+    BASE_MODELS)
+base_semi_regular = Table(
+    ["model", "coordinates", "faces", "mean distance", "largest distance",
+     "angles from 20 to 120 degrees", "seconds"],
+    [[MODELS[name], coordinates,
+      *(Value("base", "semi-regular meshes", f"{name} {letter}", column)
+        for column in ("faces", "mean distance", "maximum distance", "angles in 20..120",
+                       "time [s]"))]
+     for name in BASE_MODELS for letter, coordinates in (("H", "Heron"), ("M", "mean value"))], 2)
 
 # Wavelets
 

@@ -160,7 +160,7 @@ int main(int argc, char* argv[])
   const bool is_quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
   Table table("holes", {"holes", "method", "filled", "failed", "mean smallest angle [degrees]",
                         "largest dihedral angle [degrees]", "new intersecting pairs", "time [s]"});
-  for(const std::string name :
+  for(const std::string& name :
       is_quick ? std::vector<std::string>{"pig_468"}
                : std::vector<std::string>{"bunny_zipper_36k", "plane_holes_8k5",
                                           "mech_holes_shark_5k", "blade_8k", "pig_468"})
