@@ -14,7 +14,8 @@ MODELS = {
     "fsaverage5_inflated_left_10k": "brain, inflated", "human_man_7k": "man",
     "human_woman_7k": "woman", "kitten_9k": "kitten", "knot1_3k": "knot", "man_17k": "man",
     "mech_holes_shark_5k": "mechanical part with holes", "mni152_grey_matter_533k": "grey matter",
-    "nefertiti_35k": "Nefertiti", "pinion_650": "pinion", "plane_holes_8k5": "plane with holes", "rotor_2k4": "rotor",
+    "nefertiti_35k": "Nefertiti", "pinion_650": "pinion", "plane_holes_8k5": "plane with holes",
+    "rotor_2k4": "rotor",
     "triceratops_2k8": "triceratops", "turbine_9k": "part of a turbine",
     "turbine": "part of a turbine", "icosphere 5": "sphere",
 }
