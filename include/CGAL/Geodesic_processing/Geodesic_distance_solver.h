@@ -49,13 +49,13 @@ struct Geodesic_departure
 /// The cost of a query depends on the number of vertices or surfels that it reaches, not on the
 /// size of the surface. `Heat` is an exception: each of its queries is global. Copies share the
 /// domain, and different copies can compute concurrently. Together with the result, and in addition
-/// to the domain, a solver on a mesh takes about 30 bytes per vertex with `Dijkstra`, 60 to 165
-/// with `Fast_marching`, 45 to 325 with `Euclidean_front`, and 85 to 130 with `Exact`. On meshes of
-/// up to 4 million vertices, some queries on the whole surface speed up later ones: `Fast_marching`
-/// then stores 310 to 340 bytes per vertex, and `Euclidean_front` 100. On a cloud a solver takes 28
-/// bytes per surfel, or 47 with `Euclidean_front`. There, queries after the construction only
-/// access the surfels that they reach and those adjacent to them, and allocate O(m) memory for m
-/// reached surfels.
+/// to the domain, a solver on a mesh takes about 30 bytes per vertex with `Dijkstra`, 55 to 165
+/// with `Fast_marching`, 45 to 325 with `Euclidean_front`, and 80 to 130 with `Exact`. On meshes of
+/// up to 4 million vertices, a solver stores more data after some queries on the whole surface,
+/// which speed up later ones: 300 to 350 bytes per vertex in addition with `Fast_marching`, and 100
+/// in addition with `Euclidean_front`. On a cloud a solver takes 28 bytes per surfel, or 47 with
+/// `Euclidean_front`. There, queries after the construction only access the surfels that they reach
+/// and those adjacent to them, and allocate O(m) memory for m reached surfels.
 ///
 /// Before the first computation, no vertex or surfel is reached. Members that write a property map
 /// take O(n) time. Other members that do not state their time take O(1) time.
