@@ -5,13 +5,14 @@
 from typing import List
 
 from markdown import Cell, Key, Range, Ratio, Table, Text, Value, Whole
-from names import MODELS
+from names import METHODS, MODELS
 from results import ANY
 
 # Samples
 
 sampling_times = Whole(
-    "sampling", "samples", MODELS,
+    "sampling", "samples",
+    {**MODELS, **METHODS, "icosphere 7": "sphere", "bunny_37k, refined once": "bunny, refined once"},
     {"mesh": "mesh", "vertices": "vertices", "method": "method", "samples": "samples",
      "one front [ms]": "one front, ms", "all samples [s]": "all samples, seconds", "ratio": "ratio"})
 
