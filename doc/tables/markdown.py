@@ -182,5 +182,6 @@ def readable(cell: str) -> str:
         return ""
     if cell.isdigit():
         return f"{int(cell):,}"
+    cell = re.sub(r"\b[0-9.]+e\+0[1-6]\b", lambda m: f"{float(m[0]):,.0f}", cell)
     return re.sub(r"\b([0-9.]+)e([+-])0*([0-9]+)\b",
                   lambda m: f"{m[1]} &middot; 10<SUP>{m[2].strip('+')}{m[3]}</SUP>", cell)

@@ -54,19 +54,6 @@ Cloud spiral_sphere(std::size_t n)
   return result;
 }
 
-Cloud random_sphere(std::size_t n)
-{
-  std::mt19937 random;
-  std::normal_distribution<double> normal;
-  Cloud result;
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    const Vec3 p = unit(Vec3{normal(random), normal(random), normal(random)});
-    result.add(p, p);
-  }
-  return result;
-}
-
 // Measures random pairs of surfels at a distance of at least 0.3.
 void measure_cloud(const std::string& name, const Cloud& clean, double noise, std::size_t pairs,
                    std::optional<unsigned> refinements, Table& table)
