@@ -100,7 +100,7 @@ TEST_F(Program, exits_with_2_if_memory_is_insufficient)
 TEST_F(Program, exits_with_3_if_disk_is_full)
 {
   if(!fs::exists("/dev/full"))
-    GTEST_SKIP() << "There is no /dev/full.";
+    GTEST_SKIP() << "Without /dev/full, the test has no file to which nothing can be written.";
   for(const char* extension : {"ply", "off", "obj", "vtp", "txt", "png"})
     fs::create_symlink("/dev/full", m_folder / (std::string("full.") + extension));
   for(const char* extension : {"ply", "off", "obj", "vtp"})

@@ -129,7 +129,7 @@ TEST(Write_textured, assimp_reads_output)
   }
   fs::remove_all(folder);
 #else
-  GTEST_SKIP() << "assimp is not available.";
+  GTEST_SKIP() << "Without assimp, the test has no second reader of these files.";
 #endif
 }
 
