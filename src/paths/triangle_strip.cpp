@@ -24,17 +24,16 @@ bool is_incident(const Surface_arrays& t, Index h, Index vertex, Index location_
 
 // Returns the direction of an edge. An edge of length zero is treated as the limit of short ones.
 //
-// across       the edge, from its left to its right endpoint
-// forward      the vector to the edge from the opposite corner
-// alternative  the result if both vectors are zero
-Vec2 edge_direction(const Vec2& across, const Vec2& forward, const Vec2& alternative)
+// across   the edge, from its left to its right endpoint
+// forward  the vector to the edge from the opposite corner
+Vec2 edge_direction(const Vec2& across, const Vec2& forward)
 {
   const double length = norm(across), forward_length = norm(forward);
   if(length > 0.)
     return (1. / length) * across;
   if(forward_length > 0.)
     return (-1. / forward_length) * rotated_left(forward);
-  return alternative;
+  return {1., 0.};
 }
 
 } // namespace
@@ -76,44 +75,42 @@ void Unfolded_strip::unfold(const Surface_arrays& t, const Strip& strip,
   }
 
   const Index h = strip.halfedges.front();
-  Vec2 right_end = corners[h % 3], left_end = corners[next_halfedge(h) % 3];
-  first_leg = right_end - corners[previous_halfedge(h) % 3];
-  // The vector across, from left to right, and its direction are updated from triangle to triangle:
-  // differences of positions far from the origin would lose the digits of small triangles.
-  Vec2 across = right_end - left_end, direction = {1., 0.};
-  Vec2 forward = first_leg; // from the corner opposite to an edge
+  // The left and the right end of the edge that is crossed
+  std::array<Vec2, 2> ends = {corners[next_halfedge(h) % 3], corners[h % 3]};
+  first_leg = ends[1] - corners[previous_halfedge(h) % 3];
+  // The direction across, from left to right, is rotated from triangle to triangle by the angle at
+  // the shared end: differences of positions far from the origin would lose the digits of small
+  // triangles. Square roots and divisions depend on lengths only, and therefore do not wait for the
+  // previous triangle.
+  Vec2 direction = edge_direction(ends[1] - ends[0], first_leg);
   for(std::size_t i = 0;; ++i)
   {
-    left[i] = left_end;
-    right[i] = right_end;
+    left[i] = ends[0];
+    right[i] = ends[1];
     const Index entered = t.twin[strip.halfedges[i]];
-    direction = edge_direction(across, forward, direction);
-    const double base = t.length[entered];
-    const Vec2 local =
-        third_corner(base, t.length[previous_halfedge(entered)], t.length[next_halfedge(entered)]);
-    const Vec2 height = local[1] * rotated_left(direction);
-    const Vec2 from_left = local[0] * direction + height;
-    const Vec2 from_right = (local[0] - base) * direction + height;
     if(i + 1 == count)
     {
       const auto barycentric = *barycentric_in(t, entered / 3, end_location);
-      end = left_end + barycentric[next_halfedge(entered) % 3] * across +
+      const Vec2 across = t.length[entered] * direction;
+      const Vec2 from_left =
+          t.length[previous_halfedge(entered)] * rotated(direction, cosine_and_sine(t, entered));
+      end = ends[0] + barycentric[next_halfedge(entered) % 3] * across +
             barycentric[previous_halfedge(entered) % 3] * from_left;
       last_leg = -1. * from_left;
       return;
     }
-    if(strip.halfedges[i + 1] == next_halfedge(entered))
-    {
-      forward = across;
-      left_end = left_end + from_left;
-      across = -1. * from_right;
-    }
-    else
-    {
-      forward = -1. * across;
-      right_end = left_end + from_left;
-      across = from_left;
-    }
+    // No branch, because its outcome is unpredictable.
+    const Index next = strip.halfedges[i + 1];
+    const bool right_is_shared = next == next_halfedge(entered);
+    const double sign = right_is_shared ? -1. : 1.;
+    Vec2 turn = cosine_and_sine(t, right_is_shared ? next : entered);
+    turn[1] *= sign;
+    direction = rotated(direction, turn);
+    // One step of Newton's method for a unit vector, so that round-off errors of the length do not
+    // accumulate.
+    direction = (1.5 - 0.5 * dot(direction, direction)) * direction;
+    ends[right_is_shared ? 0 : 1] =
+        ends[right_is_shared ? 1 : 0] + (sign * t.length[next]) * direction;
   }
 }
 
