@@ -106,12 +106,12 @@ Index Geodesic_shortener::corner_at(const Surface_location& location, Index tria
 }
 
 // Computes the length of the segment that starts at a path vertex, and its directions at both ends.
+// The segment's strip is unfolded to m_unfolded.
 void Geodesic_shortener::update_length_and_angles(Index index)
 {
   Path_vertex& from = m_path_vertices[index];
   Path_vertex& to = m_path_vertices[from.next];
   const Strip& strip = from.strip;
-  unfold(strip, from.location, to.location);
   const Unfolded_strip& u = m_unfolded;
   from.length = norm(u.end);
   if(from.vertex != none)
@@ -275,7 +275,15 @@ double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index 
     else // both are endpoints of the same edge
       segment.triangle = halfedges[std::max(begin, next_begin)] / 3;
   };
-  for(const Bend& bend : m_funnel.find_bends(t, strip, m_unfolded))
+  const std::vector<Bend>& bends = m_funnel.find_bends(t, strip, m_unfolded);
+  if(bends.empty())
+  {
+    m_path_vertices[first].strip = std::move(strip);
+    link(first, last);
+    update_length_and_angles(first);
+    return m_path_vertices[first].length;
+  }
+  for(const Bend& bend : bends)
   {
     Surface_location location;
     location.triangle = halfedges[bend.strip_index] / 3;
@@ -300,6 +308,7 @@ double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index 
   {
     Path_vertex& segment = m_path_vertices[path_vertex];
     segment.strip.trim(t, segment.location, m_path_vertices[segment.next].location);
+    unfold(segment.strip, segment.location, m_path_vertices[segment.next].location);
     update_length_and_angles(path_vertex);
     length += segment.length;
   }
