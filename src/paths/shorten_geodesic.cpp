@@ -31,9 +31,10 @@ struct Path_vertex
   double length = 0.;
 
   // At a vertex: the directions to the next and to the previous path vertex. Each is given by the
-  // corner of its triangle and the angle from that corner's halfedge.
+  // corner of its triangle and the angle from that corner's halfedge: its cosine and its sine times
+  // a positive factor.
   Index corner_out = none, corner_in = none;
-  double angle_out = 0., angle_in = 0.;
+  Vec2 angle_out = {1., 0.}, angle_in = {1., 0.};
 
   bool is_queued = false; // whether it is in the queue of shorten_locally()
 };
@@ -69,8 +70,11 @@ private:
   bool reroute_around(Strip& strip, Index first, Index last) const;
   void unfold(const Strip& strip, const Surface_location& begin, const Surface_location& end);
   void update_length_and_angles(Index path_vertex);
+  bool update_edge(Index path_vertex);
+  void update_segment(Index path_vertex);
   Index corner_at(const Surface_location& location, Index triangle) const;
-  void compute_angles(Index path_vertex, double& left, double& right) const;
+  void compute_angles(Index path_vertex, double& left, double& right,
+                      bool is_limited = false) const;
 
   const Surface_arrays& t;
   std::deque<Path_vertex> m_path_vertices; // a linked list; front() is the first one
@@ -85,7 +89,39 @@ private:
 
 // --------------------------------------------------------------------------------------- angles
 
-double angle_between(const Vec2& p, const Vec2& q) { return std::atan2(cross(p, q), dot(p, q)); }
+// Angles are vectors: the cosine and the sine, times a positive factor. Sums of angles are products
+// of complex numbers, because an arctangent for each angle takes longer than all other steps.
+
+// Returns the angle from p to q; zero if one of them is zero. An angle outside of [0, full_angle]
+// is set to the closest end.
+Vec2 clamped_angle_between(const Vec2& p, const Vec2& q, const Vec2& full_angle)
+{
+  const Vec2 angle = rotated_back(q, p);
+  if(angle[1] < 0. || (angle[0] == 0. && angle[1] == 0.))
+    return {1., 0.};
+  return cross(full_angle, angle) > 0. ? full_angle : angle;
+}
+
+// A sum of angles in [0, pi].
+class Angle_sum
+{
+public:
+  void add(const Vec2& angle)
+  {
+    m_remainder = rotated(m_remainder, angle);
+    if(m_remainder[1] < 0. || (m_remainder[1] == 0. && m_remainder[0] < 0.))
+    {
+      m_remainder = -1. * m_remainder;
+      m_half_turns += pi;
+    }
+  }
+  double half_turns() const { return m_half_turns; } // in radians, at most the sum
+  double value() const { return m_half_turns + std::atan2(m_remainder[1], m_remainder[0]); }
+
+private:
+  double m_half_turns = 0.;
+  Vec2 m_remainder = {1., 0.}; // in [0, pi)
+};
 
 // Unfolds a strip to m_unfolded and counts the work.
 void Geodesic_shortener::unfold(const Strip& strip, const Surface_location& begin,
@@ -119,34 +155,52 @@ void Geodesic_shortener::update_length_and_angles(Index index)
   if(to.vertex != none)
     to.corner_in = corner_at(to.location, strip.last_triangle(t));
 
-  if(!strip.halfedges.empty())
+  // The vectors of the halfedges from which the angles are measured
+  Vec2 first_leg = u.first_leg, last_leg = u.last_leg;
+  if(strip.halfedges.empty())
   {
-    if(from.vertex != none)
-      from.angle_out =
-          std::clamp(angle_between(u.first_leg, u.end), 0., interior_angle(t, from.corner_out));
-    if(to.vertex != none)
-      to.angle_in =
-          std::clamp(angle_between(u.last_leg, -1. * u.end), 0., interior_angle(t, to.corner_in));
-    return;
+    const auto corners = unfolded(t, strip.triangle);
+    const auto halfedge_vector = [&](Index h) {
+      return h == none ? Vec2{0., 0.} : corners[next_halfedge(h) % 3] - corners[h % 3];
+    };
+    first_leg = halfedge_vector(from.corner_out);
+    last_leg = halfedge_vector(to.corner_in);
   }
-  // The segment lies in one triangle. Along an edge, the angles are zero or the triangle's own
-  // angles, without round-off errors.
-  const auto corners = unfolded(t, strip.triangle);
-  const auto angle_at = [&](Index corner, Index other_corner, const Vec2& direction)
-  {
-    if(other_corner == next_halfedge(corner))
-      return 0.;
-    const double full_angle = interior_angle(t, corner);
-    if(other_corner == previous_halfedge(corner))
-      return full_angle;
-    const Vec2 edge = corners[next_halfedge(corner) % 3] - corners[corner % 3];
-    return std::clamp(angle_between(edge, direction), 0., full_angle);
-  };
-  const Index other_corner = to.vertex == none ? none : to.corner_in;
   if(from.vertex != none)
-    from.angle_out = angle_at(from.corner_out, other_corner, u.end);
+    from.angle_out = clamped_angle_between(first_leg, u.end, cosine_and_sine(t, from.corner_out));
   if(to.vertex != none)
-    to.angle_in = angle_at(to.corner_in, from.vertex == none ? none : from.corner_out, -1. * u.end);
+    to.angle_in = clamped_angle_between(last_leg, -1. * u.end, cosine_and_sine(t, to.corner_in));
+}
+
+// Computes the same without unfolding if the segment is an edge: its angles are zero or those of
+// the triangle, without round-off errors. Otherwise, returns false.
+bool Geodesic_shortener::update_edge(Index index)
+{
+  Path_vertex& from = m_path_vertices[index];
+  Path_vertex& to = m_path_vertices[from.next];
+  if(!from.strip.halfedges.empty() || from.vertex == none || to.vertex == none)
+    return false;
+  const Index corner_out = corner_at(from.location, from.strip.triangle),
+              corner_in = corner_at(to.location, from.strip.triangle);
+  if(corner_out == corner_in)
+    return false;
+  const bool is_halfedge = corner_in == next_halfedge(corner_out);
+  from.corner_out = corner_out;
+  to.corner_in = corner_in;
+  from.length = t.length[is_halfedge ? corner_out : corner_in];
+  from.angle_out = is_halfedge ? Vec2{1., 0.} : cosine_and_sine(t, corner_out);
+  to.angle_in = is_halfedge ? cosine_and_sine(t, corner_in) : Vec2{1., 0.};
+  return true;
+}
+
+// Computes the same for a segment that is not unfolded.
+void Geodesic_shortener::update_segment(Index index)
+{
+  const Path_vertex& from = m_path_vertices[index];
+  if(update_edge(index))
+    return;
+  unfold(from.strip, from.location, m_path_vertices[from.next].location);
+  update_length_and_angles(index);
 }
 
 // -------------------------------------------------------------------------------- path vertices
@@ -182,34 +236,43 @@ void Geodesic_shortener::link(Index a, Index b)
   m_path_vertices[b].previous = a;
 }
 
-// Computes the total angles on the left and on the right of the path at a vertex.
-void Geodesic_shortener::compute_angles(Index index, double& left, double& right) const
+// Computes the total angles on the left and on the right of the path at a vertex. If `is_limited`,
+// an angle above pi may be replaced by a smaller one that is at least pi.
+void Geodesic_shortener::compute_angles(Index index, double& left, double& right,
+                                        bool is_limited) const
 {
   const Path_vertex& path_vertex = m_path_vertices[index];
   const Index corner_in = path_vertex.corner_in, corner_out = path_vertex.corner_out;
-  const double full_angle_in = interior_angle(t, corner_in);
+  const Vec2 &angle_in = path_vertex.angle_in, &angle_out = path_vertex.angle_out;
   // The right angle is counterclockwise from the direction to the previous path vertex to that to
   // the next one.
   const auto sum_angles = [&](bool counterclockwise)
   {
-    double total = counterclockwise ? full_angle_in - path_vertex.angle_in : path_vertex.angle_in;
+    Angle_sum total;
+    total.add(counterclockwise ? rotated_back(cosine_and_sine(t, corner_in), angle_in) : angle_in);
     for(Index corner = corner_in;;)
     {
       corner = counterclockwise ? next_corner_ccw(t, corner) : next_corner_cw(t, corner);
       if(corner == none)
         return infinity;
-      const double full_angle = interior_angle(t, corner);
+      const Vec2 full_angle = cosine_and_sine(t, corner);
       if(corner == corner_out)
-        return total +
-               (counterclockwise ? path_vertex.angle_out : full_angle - path_vertex.angle_out);
+      {
+        total.add(counterclockwise ? angle_out : rotated_back(full_angle, angle_out));
+        return total.value();
+      }
       if(corner == corner_in)
         return infinity; // the outgoing direction is in another fan of a nonmanifold vertex
-      total += full_angle;
+      total.add(full_angle);
+      if(is_limited && total.half_turns() > 0.)
+        return total.half_turns();
     }
   };
-  const double angle_difference = path_vertex.angle_out - path_vertex.angle_in;
-  right = corner_in == corner_out && angle_difference >= 0. ? angle_difference : sum_angles(true);
-  left = corner_in == corner_out && angle_difference <= 0. ? -angle_difference : sum_angles(false);
+  const double sine = cross(angle_in, angle_out);
+  const double angle_difference =
+      corner_in == corner_out ? std::atan2(std::abs(sine), dot(angle_in, angle_out)) : 0.;
+  right = corner_in == corner_out && sine >= 0. ? angle_difference : sum_angles(true);
+  left = corner_in == corner_out && sine <= 0. ? angle_difference : sum_angles(false);
 }
 
 // Extends a strip that ends at path vertex `first` such that it passes the path vertices from
@@ -222,7 +285,7 @@ bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) c
   for(Index index = first;; index = m_path_vertices[index].next)
   {
     double left_angle, right_angle;
-    compute_angles(index, left_angle, right_angle);
+    compute_angles(index, left_angle, right_angle, first == last);
     left += left_angle;
     right += right_angle;
     if(index == last)
@@ -236,10 +299,9 @@ bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) c
   for(Index index = first;; index = m_path_vertices[index].next)
   {
     const Path_vertex& path_vertex = m_path_vertices[index];
-    const double angle_difference = path_vertex.angle_out - path_vertex.angle_in;
+    const double sine = cross(path_vertex.angle_in, path_vertex.angle_out);
     Index corner = path_vertex.corner_in;
-    if(corner != path_vertex.corner_out ||
-       (counterclockwise ? angle_difference < 0. : angle_difference > 0.))
+    if(corner != path_vertex.corner_out || (counterclockwise ? sine < 0. : sine > 0.))
       do
       {
         strip.append(t, counterclockwise ? previous_halfedge(corner) : corner);
@@ -256,6 +318,13 @@ bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) c
 double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index last)
 {
   strip.trim(t, m_path_vertices[first].location, m_path_vertices[last].location);
+  if(strip.halfedges.empty())
+  {
+    m_path_vertices[first].strip = std::move(strip);
+    link(first, last);
+    update_segment(first);
+    return m_path_vertices[first].length;
+  }
   unfold(strip, m_path_vertices[first].location, m_path_vertices[last].location);
 
   // The current bend is incident to the edges begin, ..., end - 1 of the strip. The path vertices
@@ -308,8 +377,7 @@ double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index 
   {
     Path_vertex& segment = m_path_vertices[path_vertex];
     segment.strip.trim(t, segment.location, m_path_vertices[segment.next].location);
-    unfold(segment.strip, segment.location, m_path_vertices[segment.next].location);
-    update_length_and_angles(path_vertex);
+    update_segment(path_vertex);
     length += segment.length;
   }
   return length;
