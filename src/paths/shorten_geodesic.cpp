@@ -46,12 +46,26 @@ public:
 
   Locally_shortest_path operator()(const std::vector<Surface_location>& path);
   // For a closed path.
-  Locally_shortest_path shorten_closed(const std::vector<Surface_location>& path,
-                                       bool& is_geodesic);
+  Locally_shortest_path shorten_closed(const std::vector<Surface_location>& path, bool& is_geodesic)
+  {
+    initialize(path);
+    return shorten_closed(is_geodesic);
+  }
+  // For a strip from a location to itself.
+  Locally_shortest_path shorten_closed(const Surface_location& base, const Strip& strip,
+                                       bool& is_geodesic)
+  {
+    m_begin = new_path_vertex(base);
+    m_end = new_path_vertex(base);
+    insert_shortest_path(strip, m_begin, m_end);
+    merge_duplicates(m_begin, m_end);
+    return shorten_closed(is_geodesic);
+  }
 
 private:
   void initialize(const std::vector<Surface_location>& path);
   void shorten();
+  Locally_shortest_path shorten_closed(bool& is_geodesic);
   bool shorten_globally();
   bool shorten_locally(Index first, Index last);
   Index middle() const;
@@ -664,10 +678,8 @@ void Geodesic_shortener::compute_angles_at_base(double& left, double& right)
   release(joined);
 }
 
-Locally_shortest_path Geodesic_shortener::shorten_closed(const std::vector<Surface_location>& path,
-                                                         bool& is_geodesic)
+Locally_shortest_path Geodesic_shortener::shorten_closed(bool& is_geodesic)
 {
-  initialize(path);
   if(m_end == none)
   {
     is_geodesic = true;
@@ -775,6 +787,12 @@ Locally_shortest_path shorten_closed_geodesic(const Surface_arrays& t,
 {
   check_path(t, path);
   return Geodesic_shortener(t).shorten_closed(path, is_geodesic);
+}
+
+Locally_shortest_path shorten_closed_geodesic(const Surface_arrays& t, const Surface_location& base,
+                                              const Strip& strip, bool& is_geodesic)
+{
+  return Geodesic_shortener(t).shorten_closed(base, strip, is_geodesic);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

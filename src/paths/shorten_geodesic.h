@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_SHORTEN_GEODESIC_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include "paths/triangle_strip.h"
 
 #include <cstddef>
 #include <vector>
@@ -68,6 +69,12 @@ Locally_shortest_path shorten_geodesic(const Surface_arrays& triangles,
 CGAL_GEODESIC_PROCESSING_EXPORT
 Locally_shortest_path shorten_closed_geodesic(const Surface_arrays& triangles,
                                               const std::vector<Surface_location>& path,
+                                              bool& is_geodesic);
+
+// Shortens the shortest path in a strip from a location to itself. As above.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Locally_shortest_path shorten_closed_geodesic(const Surface_arrays& triangles,
+                                              const Surface_location& base, const Strip& strip,
                                               bool& is_geodesic);
 
 } // namespace CGAL::Geodesic_processing::internal

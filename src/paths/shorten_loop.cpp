@@ -67,107 +67,148 @@ public:
 
   bool is_empty() const { return m_edge == none; }
 
-  // Returns a loop in the annulus whose shortening with its first location fixed is the shortest
-  // loop in the annulus.
-  std::vector<Surface_location> shortest_loop()
+  // Returns a location on the first edge, and the strip from it to itself. The shortest path in this
+  // strip is the shortest loop in the annulus.
+  Surface_location shortest_loop(Strip& strip)
   {
-    double fraction = straight_fraction();
-    length(fraction);
-    // The length is a convex function. Without a bend, it is the square root of a quadratic one.
-    if(m_touches_vertex)
-      fraction = searched_fraction();
+    unfold();
+    double fraction = searched_fraction();
     // A fraction this close to an end is that end up to the precision of the search.
     if(fraction < 2. * precision)
       fraction = 0.;
     if(fraction > 1. - 2. * precision)
       fraction = 1.;
-    std::vector<Surface_location> result = {location(m_edge, fraction)};
-    for(const Index h : m_strip.halfedges)
-      result.push_back(location(h, 0.5));
-    result.push_back(result.front());
-    return result;
+    strip = m_strip;
+    return location(fraction);
   }
 
 private:
   static constexpr double precision = 1e-10; // of a fraction of the first edge
 
-  // Returns the fraction of the first edge at which the straight segment to its image in the
-  // unfolded annulus is shortest.
-  double straight_fraction()
+  Surface_location location(double fraction) const
   {
-    const Surface_location begin = canonical(t, location(m_edge, 0.));
+    Surface_location result;
+    result.triangle = m_edge / 3;
+    result.barycentric = barycentric_on_halfedge(m_edge, fraction);
+    return canonical(t, result);
+  }
+
+  // Unfolds the annulus to a strip from the begin of the first edge to its image.
+  void unfold()
+  {
+    const Surface_location begin = location(0.);
+    m_unfolded.unfold(t, m_strip, begin, location(1.));
+    const Vec2 image_end = m_unfolded.end;
     m_unfolded.unfold(t, m_strip, begin, begin);
-    const Vec2 segment = m_unfolded.end;
-    m_unfolded.unfold(t, m_strip, begin, canonical(t, location(m_edge, 1.)));
+    m_image_begin = m_unfolded.end;
+    m_image_edge = image_end - m_image_begin;
     const Index entered = t.twin[m_edge];
     const auto corners = unfolded(t, m_strip.triangle);
-    const Vec2 edge = corners[entered % 3] - corners[next_halfedge(entered) % 3],
-               change = m_unfolded.end - segment - edge;
+    m_edge_vector = corners[entered % 3] - corners[next_halfedge(entered) % 3];
+    m_fraction = 0.;
+  }
+
+  // Returns the fraction of the first edge at which the straight segment to its image is shortest.
+  double straight_fraction() const
+  {
+    const Vec2 change = m_image_edge - m_edge_vector;
     const double square = dot(change, change);
-    return square > 0. ? std::clamp(-dot(segment, change) / square, 0., 1.) : 0.5;
+    return square > 0. ? std::clamp(-dot(m_image_begin, change) / square, 0., 1.) : 0.5;
   }
 
   // Returns the fraction of the first edge at which the shortest loop crosses it.
+  //
+  // The length of the shortest loop that crosses the edge at a given fraction is a convex function.
+  // It is at least the length of the straight segment. Let the loop bend first and last at two
+  // given vertices. Then the shortest loop is a straight line from the one to the other if the edge
+  // is joined to its image. If this line crosses the edge at the given fraction, it is the minimum.
   double searched_fraction()
   {
-    // Golden section search. If the loop touches vertices, a low precision is enough, because the
-    // loop is then shortened with one of them fixed.
-    constexpr double ratio = 0.61803398874989484820, low_precision = 1e-2;
-    double begin = 0., end = 1., left = 1. - ratio, right = ratio;
-    double left_length = length(left), right_length = length(right);
-    while(end - begin > (m_touches_vertex ? low_precision : precision))
-      if(left_length <= right_length)
-      {
-        end = right;
-        right = left;
-        right_length = left_length;
-        left = end - ratio * (end - begin);
-        left_length = length(left);
-      }
-      else
-      {
-        begin = left;
-        left = right;
-        left_length = right_length;
-        right = begin + ratio * (end - begin);
-        right_length = length(right);
-      }
-    return left_length <= right_length ? left : right;
+    // If the loop touches vertices, a low precision is enough, because the loop is then shortened
+    // with one of them fixed.
+    constexpr double low_precision = 1e-2;
+    double fraction = straight_fraction();
+    compute_loop(fraction);
+    if(!m_touches_vertex)
+      return fraction;
+    // At an end, a loop can bend at this end, and then has no derivative.
+    if(fraction == 0. || fraction == 1.)
+      compute_loop(fraction = 0.5);
+    for(double begin = 0., end = 1.;;)
+    {
+      const double derivative = length_derivative();
+      if(derivative == 0.)
+        return fraction;
+      (derivative > 0. ? end : begin) = fraction;
+      const double limit = m_touches_vertex ? low_precision : precision;
+      double next = m_touches_vertex ? fraction_between_bends() : straight_fraction();
+      if(!(next >= begin && next <= end))
+        next = 0.5 * (begin + end);
+      if(end - begin <= limit || std::abs(next - fraction) <= limit)
+        return next;
+      // Each step shortens the interval by at least half of the precision.
+      fraction = std::clamp(next, begin + 0.5 * limit, end - 0.5 * limit);
+      compute_loop(fraction);
+    }
   }
 
-  static Surface_location location(Index h, double fraction)
+  // Computes the shortest loop that crosses the first edge at this fraction of it.
+  void compute_loop(double fraction)
   {
-    Surface_location result;
-    result.triangle = h / 3;
-    result.barycentric = barycentric_on_halfedge(h, fraction);
-    return result;
-  }
-
-  // Returns the length of the shortest loop that crosses the first edge at this fraction of it.
-  double length(double fraction)
-  {
-    const Surface_location base = canonical(t, location(m_edge, fraction));
-    m_unfolded.unfold(t, m_strip, base, base);
-    Vec2 last = {0., 0.};
-    double result = 0.;
+    // The unfolded strips from all points of the edge are translated to each other.
+    const Vec2 translation = (m_fraction - fraction) * m_edge_vector;
+    for(std::size_t i = 0; i < m_unfolded.left.size(); ++i)
+    {
+      m_unfolded.left[i] = m_unfolded.left[i] + translation;
+      m_unfolded.right[i] = m_unfolded.right[i] + translation;
+    }
+    m_unfolded.end = m_image_begin + fraction * (m_image_edge - m_edge_vector);
+    m_fraction = fraction;
     const std::vector<Bend>& bends = m_funnel.find_bends(t, m_strip, m_unfolded);
     m_touches_vertex = !bends.empty();
-    for(const Bend& bend : bends)
-    {
-      const Vec2 next =
-          bend.is_left ? m_unfolded.left[bend.strip_index] : m_unfolded.right[bend.strip_index];
-      result += norm(next - last);
-      last = next;
-    }
-    return result + norm(m_unfolded.end - last);
+    const auto position = [&](const Bend& bend) {
+      return bend.is_left ? m_unfolded.left[bend.strip_index] : m_unfolded.right[bend.strip_index];
+    };
+    m_first_leg = m_touches_vertex ? position(bends.front()) : m_unfolded.end;
+    m_last_leg = m_touches_vertex ? m_unfolded.end - position(bends.back()) : m_unfolded.end;
+  }
+
+  // Returns a positive multiple of the derivative of the length with respect to the fraction.
+  double length_derivative() const
+  {
+    const double first = norm(m_first_leg), last = norm(m_last_leg);
+    return (last > 0. ? dot(m_last_leg, m_image_edge) / last : 0.) -
+           (first > 0. ? dot(m_first_leg, m_edge_vector) / first : 0.);
+  }
+
+  // Returns the fraction at which a straight line from the last bend to the first one crosses the
+  // edge, clamped to [0, 1].
+  double fraction_between_bends() const
+  {
+    const double height_before = std::abs(cross(m_last_leg, m_image_edge)),
+                 height_after = std::abs(cross(m_first_leg, m_edge_vector)),
+                 square = dot(m_edge_vector, m_edge_vector);
+    const double before = -dot(m_last_leg, m_image_edge), after = dot(m_first_leg, m_edge_vector);
+    if(!(height_before + height_after > 0.) || !(square > 0.))
+      return std::clamp(m_fraction + (square > 0. ? 0.5 * (before + after) / square : 0.), 0., 1.);
+    const double change =
+        (height_after * before + height_before * after) / ((height_before + height_after) * square);
+    return std::clamp(m_fraction + change, 0., 1.);
   }
 
   const Surface_arrays& t;
   Index m_edge = none;
   Strip m_strip; // from the first edge to itself
+  // The unfolded strip. Its first location is the origin and is at this fraction of the first edge.
   Unfolded_strip m_unfolded;
+  double m_fraction = 0.;
+  Vec2 m_edge_vector = {0., 0.}; // the first edge
+  // For a strip from the begin of the first edge: the begin of its image, and the image.
+  Vec2 m_image_begin = {0., 0.}, m_image_edge = {0., 0.};
   Funnel m_funnel;
-  bool m_touches_vertex = false; // the loop whose length was computed last
+  // The loop that was computed last: its first and its last segment
+  Vec2 m_first_leg = {0., 0.}, m_last_leg = {0., 0.};
+  bool m_touches_vertex = false;
 };
 
 } // namespace
@@ -199,7 +240,11 @@ Locally_shortest_path shorten_noncontractible_loop(const Surface_arrays& t,
     {
       Annulus annulus(t, *crossed);
       if(!annulus.is_empty())
-        next = shorten_closed_geodesic(t, annulus.shortest_loop(), is_geodesic);
+      {
+        Strip strip;
+        const Surface_location base = annulus.shortest_loop(strip);
+        next = shorten_closed_geodesic(t, base, strip, is_geodesic);
+      }
     }
     if(!(next.length < result.length) && !is_geodesic)
       next = shorten_closed_geodesic(t, cut_open_at(result.locations, middle(t, result.locations)),
