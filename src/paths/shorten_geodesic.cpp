@@ -756,8 +756,9 @@ Locally_shortest_path Geodesic_shortener::operator()(const std::vector<Surface_l
 void Geodesic_shortener::shorten()
 {
   // Global steps are cheaper while most touched vertices are rerouted. Local steps are cheaper for
-  // the last ones.
-  for(int i = 0; i < 8 && shorten_globally(); ++i)
+  // the last ones. With at most 64 global steps, 405 loops on 19 meshes took 0.087 s, with at most
+  // 16 steps 0.092 s, and with at most 8 steps 0.104 s.
+  for(int i = 0; i < 64 && shorten_globally(); ++i)
     ;
   shorten_locally(m_begin, m_end);
 }
