@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures distance matrices of a cortex with the Python module, in one process and in two.
 
-    python3 cortex.py SURFACE MASK [--all-pairs] [--gdist NAME=VALUE]...
+    python3 cortex.py SURFACE MASK [--all-pairs METHOD]... [--gdist NAME=VALUE]...
 
 SURFACE is a mesh, and MASK a text file with a number per vertex: 0 in the medial wall. ``--all-pairs``
-also computes the whole matrix by two methods, which takes half an hour. ``--gdist`` also measures the
+also computes the whole matrix by a method, which takes minutes. ``--gdist`` also measures the
 module gdist; its pairs describe that build (version, commit, flags). If the environment variable
 GEODESIC_PROCESSING_RESULTS names a folder, the tables are written to the file cortex.tsv there.
 GEODESIC_PROCESSING_COMMIT is the commit of the library. Use an idle machine.
@@ -28,7 +28,8 @@ import numpy as np
 METHODS = ("exact", "heat", "euclidean", "fast-marching", "dijkstra")
 NUMBER_OF_ROWS = 49  # for the time of a row
 GDIST_ROWS = 5  # gdist takes seconds for a row
-COMPARED = {"euclidean": 1000, "exact": 100}  # rows with one process and with two
+COMPARED_ROWS = 1000  # with one process and with two
+COMPARED_METHODS = ("euclidean", "exact")
 
 
 def megabytes():
@@ -75,9 +76,10 @@ def measure_gdist(surface, mask):
     return 1000 * np.mean(seconds), difference
 
 
-def compare_processes(cortex, vertices, method, number):
+def compare_processes(cortex, vertices, method):
     """Returns the seconds of some rows with one process and with two, whose results must be equal."""
-    sources, seconds, results = vertices[:: len(vertices) // number][:number], [], []
+    sources = vertices[:: len(vertices) // COMPARED_ROWS][:COMPARED_ROWS]
+    seconds, results = [], []
     for workers in (1, 2):
         with ProcessPoolExecutor(workers) as pool:
             list(pool.map(time.sleep, [0.1] * workers))  # starts the processes
@@ -110,7 +112,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("surface", type=os.path.abspath)
     parser.add_argument("mask", type=os.path.abspath)
-    parser.add_argument("--all-pairs", action="store_true")
+    parser.add_argument("--all-pairs", action="append", default=[])
     parser.add_argument("--gdist", action="append", default=[])
     parser.add_argument("--rows", help="measures only the rows of this method, in this process")
     arguments = parser.parse_args()
@@ -160,16 +162,18 @@ def main():
             build = dict(pair.split("=", 1) for pair in arguments.gdist)
             tables["libraries"] = [["library", *build], ["tvb-gdist", *build.values()]]
         tables["rows of a distance matrix, one thread"] = rows
-        processes = [["method", "rows", "one process [s]", "two processes [s]", "ratio"]]
-        for method, number in COMPARED.items():
-            one, two = compare_processes(cortex, vertices, method, number)
-            processes.append([method, number, f"{one:.2f}", f"{two:.2f}", f"{one / two:.2f}"])
+        processes = [["method", "rows", "one process [s]", "two processes [s]", "ratio",
+                      "all pairs, two processes [minutes]"]]
+        for method in COMPARED_METHODS:
+            one, two = compare_processes(cortex, vertices, method)
+            processes.append([method, COMPARED_ROWS, f"{one:.2f}", f"{two:.2f}", f"{one / two:.2f}",
+                              f"{two * len(vertices) / COMPARED_ROWS / 60:.1f}"])
         tables["wall-clock time of some rows"] = processes
         if arguments.all_pairs:
             tables["wall-clock time of the whole matrix, two processes"] = [
                 ["method", "time [minutes]"],
                 *([method, f"{all_pairs_minutes(cortex, vertices, method):.1f}"]
-                  for method in COMPARED)]
+                  for method in arguments.all_pairs)]
         tables["other quantities"] = quantities
 
     text = "".join(f"{name}\t{value}\n" for name, value in properties.items())
