@@ -321,8 +321,13 @@ void Front::store_geometry()
 bool Front::propagate(const Front_limits& limits)
 {
   Front_state& front = m_state;
-  std::vector<std::pair<Index, double>> targets = finalization_delays(front, limits.targets);
-  const bool has_targets = !targets.empty();
+  // If most vertices are targets, the front hardly ends earlier, and their delays take a third of the
+  // query.
+  const bool has_targets =
+      !limits.targets.empty() && limits.targets.size() <= front.triangles->number_of_vertices() / 2;
+  std::vector<std::pair<Index, double>> targets;
+  if(has_targets)
+    targets = finalization_delays(front, limits.targets);
   for(std::size_t number_of_visits = 0; !front.queue.empty(); ++number_of_visits)
   {
     const Vertex_queue::Entry entry = front.queue.front();
