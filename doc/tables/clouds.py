@@ -14,7 +14,7 @@ from results import ANY
 cloud_accuracy = Table(
     ["cloud", "surfels", *(f"{METHODS[method]}: {error}"
                            for method in ("Euclidean_front", "Fast_marching", "Dijkstra")
-                           for error in ("mean, %", "largest"))],
+                           for error in ("mean, %", "largest, %"))],
     [[MODELS[name], Value("cloud_errors", "errors on clouds", (name, ANY, "Dijkstra"), "surfels"),
       *(Value("cloud_errors", "errors on clouds", (name, ANY, method), column)
         for method in ("Euclidean_front", "Fast_marching", "Dijkstra")
@@ -52,10 +52,12 @@ PUBLISHED = ("paper", "HP, paper")
 SURFEL_METHODS = ("disks", "planes", "denoised disks", "default")
 
 
-def surfel_errors(table: str, rows: Dict[str, str], names: Sequence[str]) -> List[List[Cell]]:
-    """Returns the errors EG and EP of the methods in one cell each."""
-    return [[name, *(Text("{}, {}", Value("surfels", table, row, f"EG {method}"),
-                          Value("surfels", table, row, f"EP {method}")) for method in names)]
+def surfel_errors(table: str, rows: Dict[str, str], names: Sequence[str],
+                  sizes: Sequence[str] = ("surfels",)) -> List[List[Cell]]:
+    """Returns the columns of sizes, and the errors EG and EP of the methods in one cell each."""
+    return [[name, *(Value("surfels", table, row, size) for size in sizes),
+             *(Text("{}, {}", Value("surfels", table, row, f"EG {method}"),
+                    Value("surfels", table, row, f"EP {method}")) for method in names)]
             for row, name in rows.items()]
 
 
@@ -63,19 +65,18 @@ NOISES = {" 50 %": ", noise of 50 %", " 50 % +5 %": ", noise of 50 %, outliers",
           " 100 %": ", noise of 100 %", " 100 % +5 %": ", noise of 100 %, outliers"}
 
 cloud_paper = Table(
-    ["cloud", "paper: EG, EP", "HP, paper", *SURFEL_METHODS],
+    ["cloud", "surfels", "paper: EG, EP", "HP, paper", *SURFEL_METHODS],
     [*surfel_errors("clean clouds, %", {name: name for name in ("sphere", "plane", "cylinder")},
                     PUBLISHED + SURFEL_METHODS),
      *surfel_errors("spheres, %",
-                    {f"level {i}": f"sphere, {4 ** (i + 1) + 2:,} surfels" for i in range(3, 8)},
-                    PUBLISHED + SURFEL_METHODS),
+                    {f"level {i}": "sphere" for i in range(3, 7)}, PUBLISHED + SURFEL_METHODS),
      *surfel_errors("noisy clouds, %",
                     {**{name + noise: name + text for noise, text in NOISES.items()
                         for name in ("sphere", "plane", "cylinder")},
                      "simulated scan": "plane, simulated scan"}, PUBLISHED + SURFEL_METHODS)])
 
 cloud_surfaces = Table(
-    ["cloud", *(f"{method}: EG, EP" for method in SURFEL_METHODS)],
+    ["cloud", "surfels", *(f"{method}: EG, EP" for method in SURFEL_METHODS)],
     surfel_errors("other surfaces, %",
                   {name + noise: name + text for name in ("torus", "ellipsoid", "scan")
                    for noise, text in {" 0 %": "", " 50 %": ", noise of 50 %",
@@ -88,7 +89,7 @@ cloud_control_points = Table(
     surfel_errors("control points, %",
                   {f"{name} {noise} %": f"{name}, noise of {noise} %"
                    for name in ("sphere", "plane", "cylinder") for noise in (0, 50, 100)},
-                  ("9", "21", "37", "75")))
+                  ("9", "21", "37", "75"), ()))
 
 cloud_robust = Table(
     ["cloud, method", "clean", "5 % outliers", "10 % noise", "both"],
@@ -98,7 +99,13 @@ cloud_robust = Table(
      for cloud in ("sphere", "plane", "cylinder")
      for method, weights in (("spheres", "spheres"), ("robust_spheres", "robust spheres"))])
 
-cloud_times = Whole("surfels", "table 2 of the paper, seconds")
+cloud_times = Whole(
+    "surfels", "table 2 of the paper, seconds",
+    {"sphere 50 %": "sphere, noise of 50 %", "plane 50 %": "plane, noise of 50 %",
+     "cylinder 50 %": "cylinder, noise of 50 %", "simulated scan": "plane, simulated scan"},
+    {"surface": "cloud", "surfels": "surfels", "paper, points": "points, paper", "paper": "paper",
+     "HP, paper": "HP, paper", **{name: name for name in SURFEL_METHODS[:-1]}, "points": "points",
+     "default": "default", "set-up": "precomputation"})
 
 cloud_graph_times = Table(
     ["surfels", "graph, paper", "graph", "100 paths"],

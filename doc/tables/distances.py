@@ -85,19 +85,20 @@ distances_features = Table(
 # Paths
 
 paths_tracing = Table(
-    ["mesh", "vertex gradients: excess, %", "shortened", "face gradients: excess, %", "shortened",
-     "`locally_shortest_path()`"],
+    ["mesh, vertices", "vertex gradients: arrived", "excess, %", "shortened",
+     "face gradients: excess, %", "shortened", "`locally_shortest_path()`"],
     [[name, *(Value("accuracy", "paths", (mesh, distances, path), column)
               for distances, path, column in (
+                  ("marching", "vertex gradients", "arrived"),
                   ("marching", "vertex gradients", "excess %"),
                   ("marching", "vertex gradients", "shortened: excess %"),
                   ("marching", "face gradients", "excess %"),
                   ("marching", "face gradients", "shortened: excess %"),
                   ("-", "locally_shortest_path()", "excess %")))]
-     for mesh, name in {"icosphere 5": "sphere", "square 101^2": "jittered square",
-                        "bunny_37k": "bunny", "nefertiti_35k": "Nefertiti",
-                        "fandisk_6k5": "fandisk",
-                        "mech_holes_shark_5k": "mechanical part with holes"}.items()])
+     for mesh, name in {"icosphere 5": "sphere, 10,242", "square 101^2": "jittered square, 10,201",
+                        "bunny_37k": "bunny, 37,706", "nefertiti_35k": "Nefertiti, 35,002",
+                        "fandisk_6k5": "fandisk, 6,475",
+                        "mech_holes_shark_5k": "mechanical part with holes, 5,246"}.items()])
 
 paths_tracing_times = Table(
     ["method", "set-up for each source, ms", "path, ms", "shortening, ms"],

@@ -72,14 +72,15 @@ class Range:
 
 
 class Text:
-    """A text with a pair of braces for each value."""
+    """A text with a pair of braces for each value. It is empty if no value is recorded."""
 
     def __init__(self, form: str, *values: Union[Value, Range, Ratio]) -> None:
         self._form = form
         self._values = values
 
     def text(self, results: AllResults) -> str:
-        return self._form.format(*(value.text(results) for value in self._values))
+        texts = [value.text(results) for value in self._values]
+        return self._form.format(*texts) if any(texts) else ""
 
 
 Cell = Union[str, Value, Range, Ratio, Text]

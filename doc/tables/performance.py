@@ -48,7 +48,7 @@ performance_memory = Table(
        for queries in ("1 query", "5 queries")),
      *(row(f"solver on a cloud, {METHODS[method]}",
            solver_bytes("solvers on clouds", SPHERES, method, "5 queries"), MEMORY_SECTIONS[1])
-       for method in ("Dijkstra", "Fast_marching", "Euclidean_front"))])
+       for method in ("Dijkstra", "Fast_marching", "Euclidean_front"))], 3)
 
 
 def exact_ratio(*surfaces: str) -> Text:
