@@ -134,8 +134,9 @@ logmap_clouds = Whole("logmap", "spherical clouds",
                       {"mean error % on a spherical cloud": "cloud", "surfels": "surfels",
                        "Gradient<Euclidean_front>": "error of `Gradient<>`, %"})
 
-GRADIENTS = {f"Gradient<{method}>": f"`Gradient<{method}>`"
-             for method in ("Dijkstra", "Fast_marching", "Euclidean_front", "Exact")}
+GRADIENTS = {f"Gradient<{method}>": f"`Gradient<{name}>`"
+             for method, name in (("Dijkstra", "Dijkstra"), ("Fast_marching", "Fast_marching"),
+                                  ("Euclidean_front", ""), ("Exact", "Exact"))}
 
 logmap_lengths = Table(
     ["method", "noise", "distance, %", "gradient, stencil of 1 edge, %", "of 3 edges"],
@@ -147,7 +148,7 @@ logmap_noise = Table(
     ["method", "noise", "plain", "30 smoothing steps", "3 base refinements", "both"],
     [[name, f"{noise} %",
       *(Text("{}, {}", *(Value("logmap", "angles on noisy spheres", (noise, method + option), column,
-                               part=0) for column in ("default stencil", "3 rings")))
+                               part=1) for column in ("default stencil", "3 rings")))
         for option in ("", ", 30 steps", ", 3 refinements", ", 30 steps, 3 refinements"))]
      for method, name in GRADIENTS.items() if method != "Gradient<Exact>"
      for noise in ("0", "5")], 2)
@@ -273,7 +274,7 @@ flattening_measures = Table(
     [[f"`{name}`" if name.endswith(")") else f"`{name}()`", formula,
       *(Value("distortion", "coefficients of measures", name, column)
         for column in ("K = 1", "Gradient, K = 1", "K = -1", "Gradient, K = -1"))]
-     for name, formula in THEORY.items()])
+     for name, formula in THEORY.items()], 2)
 
 flattening_metric = Whole(
     "distortion", "metric on the sphere", {},
