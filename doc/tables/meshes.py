@@ -30,7 +30,7 @@ def remeshing_cell(file: str, table: str, key: Key) -> Text:
 remeshing_quality = Table(
     ["model", "`geodesic_delaunay_remeshing()`", "`isotropic_remeshing()`",
      "vorpalite (geogram 1.10)", "ACVD"],
-    [[MODELS[name],
+    [[f"{MODELS[name]}, creases of 40 degrees kept" if name == "fandisk_6k5" else MODELS[name],
       remeshing_cell("remeshing", "quality",
                      (name, "5000", "60 steps, fitted, sharp edges kept" if name == "fandisk_6k5"
                       else "60 steps, fitted")),
