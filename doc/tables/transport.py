@@ -10,12 +10,25 @@ from names import MODELS
 
 # Transport
 
+SURFACES = {**MODELS, **PATCHES, "boot_20k": "boot", "dino_4k": "dinosaur", "pig_468": "pig",
+            "retinal_3k6": "protein"}
+
 transport_accuracy = Whole(
     "transport_bounds", "bounds on models", MODELS,
     {"model": "model", "vertices": "vertices",
      "value below exact % (mean / max)": "`value` below, %, mean / maximum",
      "upper_continuous excess %": "`upper_continuous` above, %, mean / maximum"},
     ("fandisk_6k5", "kitten_9k", "camel_10k", "nefertiti_35k", "bunny_37k"))
+transport_cloud_accuracy = Whole(
+    "transport_bounds", "bounds on surfels", {},
+    {"5,000 surfels of a sphere": "5,000 surfels of a sphere", "noise %": "noise, %",
+     "pairs": "pairs",
+     "value error % (mean / max)": "error of `value`, %, mean / maximum",
+     "estimate error %": "error of `estimate`, %, mean / maximum"})
+transport_disks = Whole(
+    "transport_claims", "disks", MODELS,
+    {"model": "model", "radius / distance": "radius",
+     "error / (radius + gap), mean / max": "difference, mean / maximum"}, number_of_labels=2)
 BASIS_SIZES = (0, 10, 20, 50, 100, 200, 300, 400)
 transport_basis_sizes = Whole(
     "transport_claims", "basis sizes", MODELS,
@@ -23,13 +36,13 @@ transport_basis_sizes = Whole(
      **{f"k = {k}": f"`k` = {k}" for k in BASIS_SIZES}}, number_of_labels=2)
 transport_excess = Whole(
     "transport_claims", "monotonicity",
-    {**MODELS, **PATCHES, "plane_holes_8k5": "plane with holes", "pig_468": "pig"},
+    SURFACES,
     {"monotonicity in k": "surface", "family": "family", "vertices": "vertices",
      "harmonic fields": "harmonic fields", "pairs": "pairs", "increases": "increases",
      "from k = 0": "increases from `k` = 0", "above exact %: k = 0": "excess for `k` = 0, %",
      "k = 10": "`k` = 10", "k = 30": "`k` = 30", "k = 100": "`k` = 100"}, number_of_labels=2)
 transport_pairs = Whole(
-    "transport_family", "all pairs", MODELS,
+    "transport_family", "all pairs", SURFACES,
     {"all pairs, k = 0": "mesh", "vertices": "vertices", "samples": "samples",
      **{f"{family}: {part} [s]": f"{family} flow: {text}, seconds"
         for family in ("gradient", "balanced")
@@ -42,35 +55,45 @@ transport_one_to_all = Whole(
 PAPER_METHODS = {"exact (marching)": "geodesic", "heat": "heat", "biharmonic": "biharmonic",
                  "k = 0": "`k` = 0"}
 transport_paper_1 = Whole(
-    "transport_times", "table 1 of the paper", MODELS,
+    "transport_times", "table 1 of the paper", SURFACES,
     {"one to all: seconds (paper)": "model", "vertices": "vertices",
      "model of the paper": "model of the paper", **PAPER_METHODS, "all flows": "all flows"})
 transport_paper_basis = Whole(
-    "transport_times", "k = 100", MODELS,
+    "transport_times", "k = 100", SURFACES,
     {"k = 100, seconds": "model", "vertices": "vertices", "paper": "paper",
      **{f"{family} flow: {column}": f"{family} family: {column}"
         for family in ("paper's", "default")
         for column in ("clusters", "error %", "minimized")}})
 transport_paper_2 = Whole(
-    "transport_times", "table 2 of the paper", MODELS,
+    "transport_times", "table 2 of the paper", SURFACES,
     {"all pairs: seconds (paper)": "model", "vertices": "vertices", "paper": "model of the paper",
      "samples": "samples", **PAPER_METHODS})
-transport_triangles = Whole(
-    "transport_claims", "triangle inequality", {**MODELS, **PATCHES, "1,000 triples": "distance"},
-    number_of_labels=2)
 FAMILIES = {"exact": "geodesic", "heat": "`Heat`", "biharmonic": "biharmonic", "k = 0": "`k` = 0",
             **{f"k = {k}{family}": f"`k` = {k}{family or ', default'}" for k in (5, 10, 100)
                for family in (", paper", "")}, "complete": "all flows"}
+transport_triangles = Whole(
+    "transport_claims", "triangle inequality",
+    {**SURFACES, **FAMILIES, "heat 1 h2": "`Heat`, time step \\f$ h^2 \\f$",
+     **{f"heat {k} h2": f"`Heat`, time step \\f$ {k} h^2 \\f$" for k in (10, 100)}},
+    {"1,000 triples": "distance", "model": "model", "violations": "violations",
+     "certified violations": "proven violations", "maximum violation %": "largest violation, %",
+     "maximum asymmetry %": "largest asymmetry, %"}, number_of_labels=2)
 
 
 def families(label: str, heading: str, names: Sequence[str]) -> Dict[str, str]:
     return {label: heading, **{name: FAMILIES[name] for name in names}}
 
 
+CHANGES = {**{f"noise of {size} edges": f"noise of {size} edge lengths" for size in (0.1, 0.3)},
+           "bent": "one end rotated by 40 degrees", "refined once": "refined 1-to-4",
+           "remeshed": "remeshed"}
 transport_stability = Whole(
-    "transport_claims", "stability", {},
-    families("change %, mean / max", "change, %, mean / maximum",
-             ("exact", "heat", "biharmonic", "k = 0", "k = 100, paper", "k = 100", "complete")))
+    "transport_claims", "stability",
+    {f"{model}, {change}": f"{MODELS[model]}, {name}" for model in ("elephant_2k8", "cow_2k9")
+     for change, name in CHANGES.items()},
+    {"change %, mean / max": "change", "vertices": "vertices",
+     **families("exact", "geodesic",
+                ("heat", "biharmonic", "k = 0", "k = 100, paper", "k = 100", "complete"))})
 transport_isotropy = Whole(
     "transport_claims", "anisotropy", {},
     families("anisotropy %", "surface",
@@ -78,7 +101,7 @@ transport_isotropy = Whole(
               "k = 100, paper", "k = 100")))
 transport_unevenness = Whole(
     "transport_claims", "unevenness",
-    {**MODELS, **PATCHES, "dino_4k": "dinosaur", "knot1_3k": "knot"},
+    SURFACES,
     families("unevenness", "surface",
              ("exact", "heat", "biharmonic", "k = 0", "k = 10, paper", "k = 10", "k = 100, paper",
               "k = 100")))
