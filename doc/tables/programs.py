@@ -59,3 +59,5 @@ errors_refused = Whole("mass_test", "refused files", {})
 clusters_cortex = Whole("cortex", "rows of a distance matrix, one thread", {
     name: f"`{name}`" for name in ("exact", "heat", "euclidean", "fast-marching", "dijkstra")}
     | {"tvb-gdist": "exact algorithm of tvb-gdist"})
+clusters_processes = Whole("cortex", "wall-clock time of some rows", {
+    name: f"`{name}`" for name in ("euclidean", "exact")})
