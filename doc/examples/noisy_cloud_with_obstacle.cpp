@@ -41,7 +41,7 @@ int main()
   // A wall in 0.45 <= x <= 0.55, from y = 0 to y = 0.75. Each triangle with a surfel of speed zero
   // is an obstacle, so the wall becomes wider by up to one spacing.
   auto speed = cloud.add_property_map<double>("speed", 1.).first;
-  for(const Cloud::Index i : cloud)
+  for(Cloud::Index i : cloud)
   {
     const Point& p = cloud.point(i);
     if(std::abs(p.x() - 0.5) <= 0.05 && p.y() <= 0.75)
