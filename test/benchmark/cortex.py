@@ -144,14 +144,14 @@ def main():
             times[method], memory[method] = map(float, output.split())
         exact = np.load("exact.npy")
         cortex, vertices = read_cortex(*model)
-        hours = len(vertices) / 2 / 60000  # of two processors, for one millisecond a row
+        minutes = len(vertices) / 2 / 60000  # of two processors, for one millisecond a row
         rows = [["method", "time per source [ms]", "mean error %",
                  "all pairs, two processors [minutes]", "memory of a worker [MB]"]]
         for method in METHODS:
             error = np.abs(np.load(f"{method}.npy") - exact).sum() / exact.sum()
             rows.append([method, f"{times[method]:.1f}",
                          "-" if method == "exact" else f"{100 * error:.2g}",
-                         f"{times[method] * hours:.1f}", f"{memory[method]:.0f}"])
+                         f"{times[method] * minutes:.1f}", f"{memory[method]:.0f}"])
         quantities = [["quantity", "value"], ["vertices of the cortex", len(vertices)],
                       ["vertices with the wall", len(cortex.vertices)],
                       ["Python with NumPy [MB]", f"{empty:.0f}"],
