@@ -17,7 +17,9 @@ struct Earth_movers_cost
   double value = 0.; ///< the mean of the lower and the upper bound
   /// Certified lower bound, which also holds for geodesic distances on the surface
   double lower = 0.;
-  double upper = 0.; ///< certified upper bound for flows that are constant in each face
+  /// Certified upper bound for flows that are constant in each face. It can be smaller than the cost
+  /// on the surface, for which `upper_continuous` is a bound
+  double upper = 0.;
   /// Certified upper bound for flows on the surface; infinite unless `do_bound_from_above` is set
   double upper_continuous = std::numeric_limits<double>::infinity();
   /// The value extrapolated from the last two refinement levels, not certified; without refinement
