@@ -89,10 +89,16 @@ void Flippable_triangles::flip(Index h)
   set_twins(g + 1, yz);
 }
 
-void flip_to_larger_angles(const std::vector<Vec3>& points, const std::vector<bool>& is_kept,
+void flip_to_larger_angles(const std::vector<Vec3>& points,
+                           const std::vector<std::array<Index, 2>>& kept_edges,
                            std::vector<std::array<Index, 3>>& triangles)
 {
   Flippable_triangles t(points.size(), triangles);
+  const auto is_kept = [&](Index x, Index y)
+  {
+    return std::binary_search(kept_edges.begin(), kept_edges.end(),
+                              std::array<Index, 2>{std::min(x, y), std::max(x, y)});
+  };
   const auto improves_by_flip = [&](Index h)
   {
     const Index twin = t.twin()[h];
@@ -100,7 +106,7 @@ void flip_to_larger_angles(const std::vector<Vec3>& points, const std::vector<bo
       return false;
     const Index x = t.corner()[h], y = t.corner()[twin], z = t.corner()[previous_halfedge(h)],
                 w = t.corner()[previous_halfedge(twin)];
-    if((is_kept[x] && is_kept[y]) || z == w)
+    if(z == w || is_kept(x, y))
       return false;
     const Vec3 &a = points[x], &b = points[y], &c = points[z], &d = points[w];
     const double cosine_before = std::max(largest_cosine(a, b, c), largest_cosine(b, a, d)),

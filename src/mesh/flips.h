@@ -41,9 +41,10 @@ private:
 // flip (except for needles), or if the flipped edge exists already.
 //
 // triangles: indices of points, counterclockwise, a manifold
-// is_kept: #points: edges between two such points are kept
+// kept_edges: pairs of points, the smaller index first, in increasing order
 CGAL_GEODESIC_PROCESSING_EXPORT
-void flip_to_larger_angles(const std::vector<Vec3>& points, const std::vector<bool>& is_kept,
+void flip_to_larger_angles(const std::vector<Vec3>& points,
+                           const std::vector<std::array<Index, 2>>& kept_edges,
                            std::vector<std::array<Index, 3>>& triangles);
 
 } // namespace CGAL::Geodesic_processing::internal

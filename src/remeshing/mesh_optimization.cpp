@@ -35,12 +35,39 @@ Coarse_mesh Mesh_optimization::build_mesh(const Cells& cells, const Sampling& sa
     is_fixed.push_back(m_surface.is_on_feature(sample) ||
                        (has_max_deviation && farthest[cell] == none));
   }
-  flip_to_larger_angles(result.points, is_fixed, result.triangles);
+  flip_to_larger_angles(result.points, kept_edges(cells, farthest, result.triangles),
+                        result.triangles);
   if(m_options.does_fit_to_input)
     fit(t, cells.labels, is_fixed, result, m_options.maximum_deviation / m_surface.unit_size(),
         m_options.number_of_relaxation_steps < many_relaxation_steps
             ? 0
             : number_of_angle_preserving_steps);
+  return result;
+}
+
+// Returns the edges between cells that a feature joins, and those between cells without another
+// vertex than their sample. `farthest` is empty, or contains none for each such cell.
+std::vector<std::array<Index, 2>>
+Mesh_optimization::kept_edges(const Cells& cells, const std::vector<Index>& farthest,
+                              const std::vector<std::array<Index, 3>>& triangles) const
+{
+  std::vector<std::array<Index, 2>> result;
+  const auto add = [&](Index x, Index y)
+  {
+    if(x != y)
+      result.push_back({std::min(x, y), std::max(x, y)});
+  };
+  const Surface_arrays& t = m_surface.triangles();
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(m_surface.is_feature()[h])
+      add(cells.labels[t.corner[h]], cells.labels[t.corner[next_halfedge(h)]]);
+  if(!farthest.empty())
+    for(const auto& f : triangles)
+      for(int k = 0; k < 3; ++k)
+        if(const Index x = f[k], y = f[(k + 1) % 3]; farthest[x] == none && farthest[y] == none)
+          add(x, y);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 

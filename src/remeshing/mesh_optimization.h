@@ -54,6 +54,9 @@ public:
   locations_at_intersections(const Cells& cells, const Sampling& sampling, Remeshing& candidate);
 
 private:
+  std::vector<std::array<Index, 2>>
+  kept_edges(const Cells& cells, const std::vector<Index>& farthest,
+             const std::vector<std::array<Index, 3>>& triangles) const;
   bool is_far(const Coarse_mesh& mesh, const std::array<Index, 3>& triangle);
   std::vector<bool> self_intersecting_cells(const Cells& cells);
 

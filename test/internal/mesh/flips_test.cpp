@@ -81,7 +81,7 @@ TEST(Flips, planar_triangulation_becomes_delaunay)
     const Triangulation plane = square(12, 0.25, seed);
     Triangles triangles = triangles_of(plane);
     EXPECT_FALSE(is_delaunay(plane.points, triangles));
-    flip_to_larger_angles(plane.points, std::vector<bool>(plane.points.size(), false), triangles);
+    flip_to_larger_angles(plane.points, {}, triangles);
     EXPECT_TRUE(is_delaunay(plane.points, triangles));
     EXPECT_EQ(topology_of(triangles), topology(plane.corners));
     EXPECT_NEAR(area(plane.points, triangles), 1., 1e-13); // a sum of 300 terms
@@ -93,9 +93,9 @@ TEST(Flips, constrained_edges_are_kept)
   const std::vector<Point> points = {{0., 0., 0.}, {4., 0., 0.}, {2., 1., 0.}, {2., -1., 0.}};
   const Triangles both = {{0, 1, 2}, {1, 0, 3}};
   Triangles triangles = both;
-  flip_to_larger_angles(points, {true, true, false, false}, triangles);
+  flip_to_larger_angles(points, {{0, 1}}, triangles);
   EXPECT_EQ(triangles, both);
-  flip_to_larger_angles(points, {true, false, true, true}, triangles);
+  flip_to_larger_angles(points, {{0, 2}, {0, 3}, {2, 3}}, triangles);
   EXPECT_EQ(topology_of(triangles), topology_of(both));
   for(const auto& f : triangles)
     EXPECT_EQ(std::count_if(f.begin(), f.end(), [](Index i) { return i >= 2; }), 2);
@@ -108,14 +108,14 @@ TEST(Flips, creases_are_kept)
   const std::vector<Point> points = {{0., 0., 0.}, {4., 0., 0.}, {2., 1., 0.}, {2., -c, -s}};
   const Triangles both = {{0, 1, 2}, {1, 0, 3}};
   Triangles triangles = both;
-  flip_to_larger_angles(points, std::vector<bool>(4, false), triangles);
+  flip_to_larger_angles(points, {}, triangles);
   EXPECT_EQ(triangles, both);
   // In a flat tetrahedron the flipped edge exists already.
   Triangulation flat = tetrahedron();
   for(Point& p : flat.points)
     p[2] *= 1e-3;
   triangles = triangles_of(flat);
-  flip_to_larger_angles(flat.points, std::vector<bool>(4, false), triangles);
+  flip_to_larger_angles(flat.points, {}, triangles);
   EXPECT_EQ(topology_of(triangles), topology(flat.corners));
 }
 
@@ -128,7 +128,7 @@ TEST(Flips, needles_at_creases_are_flipped)
   {
     const std::vector<Point> points = {{0., 0., 0.}, {4., 0., 0.}, {2., 0., height}, {2., -2., 0.}};
     Triangles triangles = both;
-    flip_to_larger_angles(points, std::vector<bool>(4, false), triangles);
+    flip_to_larger_angles(points, {}, triangles);
     EXPECT_EQ(topology_of(triangles), topology_of(both));
     EXPECT_EQ(triangles == both, height == 1.);
   }
@@ -141,8 +141,7 @@ TEST(Flips, min_angle_does_not_decrease)
   {
     Triangles triangles = triangles_of(surface);
     const double before = min_angle(surface.points, triangles);
-    flip_to_larger_angles(surface.points, std::vector<bool>(surface.points.size(), false),
-                          triangles);
+    flip_to_larger_angles(surface.points, {}, triangles);
     EXPECT_EQ(topology_of(triangles), topology(surface.corners));
     EXPECT_GE(min_angle(surface.points, triangles), before);
   }
@@ -154,7 +153,7 @@ TEST(Flips, coincident_points_are_handled)
   for(Point& p : plane.points)
     p[1] = 0.;
   Triangles triangles = triangles_of(plane);
-  flip_to_larger_angles(plane.points, std::vector<bool>(plane.points.size(), false), triangles);
+  flip_to_larger_angles(plane.points, {}, triangles);
   EXPECT_EQ(topology_of(triangles), topology(plane.corners));
   triangles.clear();
   flip_to_larger_angles({}, {}, triangles);

@@ -242,6 +242,32 @@ TEST(Remeshing, respects_feature_spacing)
                CGAL::Geodesic_processing::Invalid_argument_error);
 }
 
+// Samples on a straight feature that are much closer to each other than other samples are the
+// corners of triangles without area, unless their edges beside the feature are flipped.
+TEST(Remeshing, dense_feature_samples_yield_no_flat_faces)
+{
+  const int size = 8;
+  const Array_surface cube(blocks(size, size, size, [](int, int, int) { return true; }));
+  Remeshing_options options;
+  options.number_of_samples = 100; // at distances of about 2
+  options.is_feature = boundary_and_sharp_halfedges(cube.t(), 60.);
+  for(const double spacing : {0.25, 0.5, 1.})
+  {
+    options.feature_spacing.assign(cube.t().corner.size(), spacing / cube.scale());
+    const Remeshing mesh = remesh(cube.triangles(), options);
+    expect_same_topology(cube, mesh, 100);
+    const std::vector<Point> points = points_of(cube, mesh);
+    EXPECT_NEAR(area(points, corners_of(mesh)), 6. * size * size, 1e-9); // round-off errors
+    for(const auto& f : mesh.triangles)
+    {
+      const Point &a = points[f[0]], &b = points[f[1]], &c = points[f[2]];
+      const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
+      // Faces at the feature join points on it to one at a distance of about 1.
+      EXPECT_GT(norm(normal_of(a, b, c)), 0.01 * longest * longest);
+    }
+  }
+}
+
 TEST(Remeshing, relaxation_improves_angles)
 {
   const Array_surface surface(icosphere(4));
