@@ -306,8 +306,9 @@ void Front::store_geometry()
       front.splits = nullptr; // the fans contain them
     }
     // The angles take a third of a query, and 100 bytes per vertex. They save 5 % (the grid) to
-    // 20 % (the scans) of later queries.
-    if(front.is_circular() && !front.corner_angles && visits_per_vertex >= 2)
+    // 20 % (the scans) of later queries. Unless they are prefetched, loading them takes longer than
+    // computing them.
+    if(has_prefetch && front.is_circular() && !front.corner_angles && visits_per_vertex >= 2)
       front.corner_angles = shared_corner_angles(t);
   }
   catch(const std::bad_alloc&)
