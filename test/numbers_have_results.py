@@ -20,10 +20,6 @@ sys.path.insert(0, str(ROOT / "doc" / "tables"))
 from declarations import TABLES
 from results import Results, read_all
 
-# The pages whose numbers do not come from data files yet.
-NOT_CONVERTED = (
-    "clouds.txt", "distances.txt", "flattening.txt", "flows.txt", "logarithmic_maps.txt",
-    "paths.txt", "performance.txt", "program.txt", "transport.txt", "volumes.txt", "wavelets.txt")
 EXCEPTIONS = ROOT / "doc" / "numbers_without_results.tsv"
 UNIT = (r"(?:[mµ]?s|[kKMGT]?B|bytes?|times|(?:micro|milli)?seconds?|minutes?|hours?"
         r"|(?:mega|giga)bytes?)")
@@ -118,7 +114,7 @@ def table_failures(pages: List[Path], results: Dict[str, Results]) -> List[str]:
     for name, table in TABLES.items():
         try:
             table.write(results)
-            if name not in included and not NOT_CONVERTED:
+            if name not in included:
                 result.append(f"table {name}: no page includes it")
         except (KeyError, ValueError) as error:
             if name in included:
@@ -131,8 +127,7 @@ def number_failures(files: List[Path], results: Dict[str, Results]) -> List[str]
     exceptions = read_exceptions()
     used: Set[Tuple[str, str]] = set()
     result: List[str] = []
-    converted = (file for file in files if file.name not in NOT_CONVERTED)
-    for number in (n for file in converted for n in numbers_of(file)):
+    for number in (n for file in files for n in numbers_of(file)):
         unknown = [source for source in number.sources if source not in values]
         key = (number.file, number.text)
         if unknown:
@@ -145,8 +140,7 @@ def number_failures(files: List[Path], results: Dict[str, Results]) -> List[str]
             where = f"not in {', '.join(number.sources)}" if number.sources else "no source"
             result.append(f"{number.file}:{number.line}: {number.text}: {where}")
     result.extend(f"{EXCEPTIONS.name}: {file}: {text}: not needed"
-                  for file, text in exceptions
-                  if (file, text) not in used and file not in NOT_CONVERTED)
+                  for file, text in exceptions if (file, text) not in used)
     return result
 
 
