@@ -61,6 +61,18 @@ class Ratio:
 
 
 @dataclass(frozen=True)
+class Exponent:
+    """The exponent of the power law through the values at two sizes."""
+    small: Value
+    large: Value
+    ratio_of_sizes: float
+
+    def text(self, results: AllResults) -> str:
+        ratio = self.large.number(results) / self.small.number(results)
+        return f"{math.log(ratio) / math.log(self.ratio_of_sizes):.2f}"
+
+
+@dataclass(frozen=True)
 class Range:
     """The smallest and the largest of several values."""
     values: Sequence[Union[Value, Ratio]]
@@ -74,7 +86,7 @@ class Range:
 class Text:
     """A text with a pair of braces for each value. It is empty if no value is recorded."""
 
-    def __init__(self, form: str, *values: Union[Value, Range, Ratio]) -> None:
+    def __init__(self, form: str, *values: Union[Value, Range, Ratio, Exponent]) -> None:
         self._form = form
         self._values = values
 

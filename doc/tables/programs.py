@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Declares the tables of surfaces, the program and comparisons with others."""
 
-from markdown import Table, Text, Value, Whole
+from typing import List
+
+from markdown import Cell, Exponent, Table, Text, Value, Whole
 
 # Surfaces
 
@@ -19,14 +21,29 @@ GRIDS = {"10000": "10,000", "99856": "99,856", "1000000": "1 million", "9998244"
 
 def command_cell(size: str, command: str) -> Text:
     key = (size, command)
-    return Text("{} s, {} GB", Value("commands", "commands on grids", key, "processor time [s]"),
-                Value("commands", "commands on grids", key, "peak [GB]"))
+    return Text("{} s, {} GB", *(Value("commands", "commands on grids", key, column, digits=2)
+                                 for column in ("processor time [s]", "peak [GB]")))
 
 
-program_large = Table(
-    ["vertices", *(f"`{command}`" for command in COMMANDS)],
-    [[name, *(command_cell(size, command) for command in COMMANDS)]
-     for size, name in GRIDS.items()])
+EXPONENT_SIZES = ("1000000", "19998784")
+
+
+def exponents(command: str) -> Text:
+    small, large = EXPONENT_SIZES
+
+    def exponent(column: str) -> Exponent:
+        return Exponent(Value("commands", "commands on grids", (small, command), column),
+                        Value("commands", "commands on grids", (large, command), column),
+                        int(large) / int(small))
+
+    return Text("{}, {}", exponent("processor time [s]"), exponent("peak [GB]"))
+
+
+LARGE_ROWS: List[List[Cell]] = [
+    [name, *(command_cell(size, command) for command in COMMANDS)]
+    for size, name in GRIDS.items()]
+program_large = Table(["vertices", *(f"`{command}`" for command in COMMANDS)],
+                      [*LARGE_ROWS, ["exponents", *(exponents(name) for name in COMMANDS)]])
 
 program_files = Whole(
     "inputs", "files", {},
