@@ -148,11 +148,14 @@ void add_remesh(CLI::App& program)
   add_remeshing_options(command, *options, "vertices", "preserve edges");
   command.add("--curve-spacing", options->curve_spacing, "D",
               "approximate maximum distance between adjacent vertices on boundaries and "
-              "preserved edges");
+              "preserved edges, in the unit of the coordinates");
   command.add_flag("--fit", options->does_fit,
                    "move vertices off the surface, so that the faces approximate it better");
-  command.add("--maximum-deviation", options->max_deviation, "D",
-              "maximum distance between input and result; vertices are added if it is exceeded");
+  command.add(
+      "--maximum-deviation", options->max_deviation, "D",
+      "maximum distance between input and result at their vertices and at the edge midpoints "
+      "and face centroids of the result, in the unit of the coordinates; vertices are added "
+      "if it is exceeded");
   command.add_flag("--allow-self-intersections", options->allow_self_intersections,
                    "do not add vertices to remove self-intersections of the result");
   const std::function<void(const std::string&)> set_hole_edges = [options](const std::string& text)
