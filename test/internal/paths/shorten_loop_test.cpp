@@ -10,6 +10,8 @@
 #include "closed_forms.h"
 #include "meshes.h"
 #include "path_checks.h"
+#include "paths/shorten_geodesic.h"
+#include "paths/triangle_strip.h"
 #include "rough_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -200,6 +202,44 @@ TEST(shorten_loop, basis_loops_are_locally_shortest)
     for(const auto& loop : loop_basis(surface.t()))
       EXPECT_GT(shortened(loop).length, 0.);
   }
+}
+
+// A strip from an edge to itself is shortened like the path through the middles of its edges.
+TEST(shorten_loop, closed_strip_is_shortened_like_a_path)
+{
+  int number_of_strips = 0;
+  for(const Triangulation& triangulation :
+      {jittered(cylinder(12, 20, 1., 1.), 0.02), jittered(torus(60, 30), 0.01), knot(80, 12)})
+  {
+    const Array_surface surface(triangulation);
+    const Surface_arrays& t = surface.t();
+    for(std::vector<Surface_location> loop : loop_basis(t))
+    {
+      loop.push_back(loop.front());
+      const auto crossed = crossed_halfedges(t, loop);
+      ASSERT_TRUE(crossed);
+      Strip strip;
+      for(const Index h : *crossed)
+        strip.append(t, h);
+      if(strip.halfedges.empty() || t.twin[strip.halfedges.front()] == strip.halfedges.back())
+        continue;
+      ++number_of_strips;
+      std::vector<Surface_location> path;
+      for(const Index h : strip.halfedges)
+        path.push_back(canonical(t, {h / 3, none, barycentric_on_halfedge(h, 0.5)}));
+      path.push_back(path.front());
+      strip.triangle = t.twin[strip.halfedges.front()] / 3;
+      strip.halfedges.erase(strip.halfedges.begin());
+      bool is_geodesic_path, is_geodesic_strip;
+      const auto expected = shorten_closed_geodesic(t, path, is_geodesic_path);
+      const auto result = shorten_closed_geodesic(t, path.front(), strip, is_geodesic_strip);
+      EXPECT_EQ(is_geodesic_strip, is_geodesic_path);
+      EXPECT_NEAR(result.length, expected.length, round_off * path_length(t, path));
+      EXPECT_NEAR(result.length, path_length(t, result.locations),
+                  round_off * path_length(t, path));
+    }
+  }
+  EXPECT_GE(number_of_strips, 4);
 }
 
 TEST(shorten_loop, throws_on_invalid_input)
