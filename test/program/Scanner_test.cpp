@@ -93,6 +93,46 @@ TEST(Scanner, words_and_line_numbers_equal_those_of_a_simple_splitter)
   }
 }
 
+TEST(Scanner, skips_only_lines_without_the_character)
+{
+  std::mt19937 random(1);
+  const std::string characters = "\n\r\n \t12.-ex\n ";
+  int number_of_skipped = 0, number_of_read = 0;
+  for(int i = 0; i < 20000; ++i)
+  {
+    std::string text;
+    for(unsigned size = random() % 200; size > 0; --size)
+      text += characters[random() % (i % 2 == 0 ? 14 : 4)];
+    const std::vector<char> bytes = exact_buffer(text);
+    Scanner scanner({bytes.data(), bytes.size()}, "name", 0);
+    for(const Line& line : expected_lines(text, 0, false))
+    {
+      ASSERT_TRUE(scanner.next_line()) << text;
+      ASSERT_EQ(line_number(scanner), line.number) << text;
+      std::size_t first = 0;
+      if(random() % 2 == 0)
+        EXPECT_EQ(scanner.word(), line.words[first++]);
+      scanner.skip_line_without('x');
+      std::vector<std::string> words;
+      while(!scanner.is_line_empty())
+        words.emplace_back(scanner.word());
+      const std::vector<std::string> expected(line.words.begin() + first, line.words.end());
+      if(words == expected)
+      {
+        ++number_of_read;
+        continue;
+      }
+      ASSERT_TRUE(words.empty()) << text;
+      ++number_of_skipped;
+      for(const std::string& word : expected)
+        ASSERT_EQ(word.find('x'), std::string::npos) << text;
+    }
+    ASSERT_FALSE(scanner.next_line());
+  }
+  EXPECT_GT(number_of_skipped, 1000);
+  EXPECT_GT(number_of_read, 1000);
+}
+
 TEST(Scanner, takes_only_whole_words_as_numbers)
 {
   const std::vector<char> bytes = exact_buffer("12 -3.5e1,7x 1/2 nan\n 4 5");

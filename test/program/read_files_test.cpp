@@ -268,6 +268,29 @@ TEST(Read_stl, welds_ascii_vertices)
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3}));
 }
 
+TEST(Read_stl, reads_facets_with_any_line_ends)
+{
+  const std::string words[] = {"facet",  "normal", "0", "0", "1",      "outer",   "loop",
+                               "vertex", "0",      "0", "0", "vertex", "1",       "0",
+                               "0",      "vertex", "0", "1", "0",      "endloop", "endfacet"};
+  // A line ends after each of the words at the set bits, except between numbers.
+  for(unsigned bits = 0; bits < 64; ++bits)
+    for(const std::string line_end : {"\n", "\r", "\r\n"})
+    {
+      const std::size_t ends[] = {4, 6, 10, 14, 18, 19};
+      std::string text = "solid one" + line_end;
+      for(std::size_t i = 0; i < std::size(words); ++i)
+      {
+        const auto end = std::find(std::begin(ends), std::end(ends), i);
+        const bool is_end = end != std::end(ends) && (bits >> (end - std::begin(ends)) & 1) != 0;
+        text += words[i] + (is_end ? line_end : " ");
+      }
+      const Surface_file surface = program::read_stl(text + line_end + "endsolid", "");
+      EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2})) << text;
+      EXPECT_EQ(surface.points.size(), 3u) << text;
+    }
+}
+
 TEST(Read_stl, reads_binary_starting_with_solid)
 {
   std::string bytes = "solid" + std::string(75, ' ') + std::string("\1\0\0\0", 4);

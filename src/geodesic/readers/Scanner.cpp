@@ -97,6 +97,17 @@ std::string_view Scanner::word()
   return {begin, static_cast<std::size_t>(m_position - begin)};
 }
 
+void Scanner::skip_line_without(char c)
+{
+  // Longer lines are rare, and a file without line feeds would be searched to its end.
+  constexpr std::size_t max_size = 128;
+  const std::string_view rest(m_position,
+                              std::min(max_size, static_cast<std::size_t>(m_end - m_position)));
+  const std::string_view line = rest.substr(0, rest.find('\n'));
+  if(line.size() < rest.size() && line.find(c) == std::string_view::npos)
+    m_position += std::min(line.size(), line.find('\r'));
+}
+
 std::string_view Scanner::next_word()
 {
   while(is_line_empty())

@@ -53,6 +53,10 @@ public:
   // Returns the next word of the line, or an empty word at its end.
   std::string_view word();
 
+  // Skips the rest of the line if it does not contain a character. May also do nothing. Faster than to
+  // read the words of the line.
+  void skip_line_without(char c);
+
   // Returns the next word of this or a later line, or an empty word at the end of the text.
   std::string_view next_word();
 

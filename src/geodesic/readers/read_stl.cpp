@@ -74,7 +74,9 @@ Surface_file read_text(std::string_view bytes, const std::string& name)
     {
       if(word == "solid" || word == "endsolid")
         break;
-      if(word == "vertex")
+      if(word == "normal")
+        scanner.skip_line_without('t'); // as in "outer" and "vertex", but in no number
+      else if(word == "vertex")
       {
         Point point;
         for(double& x : point)
