@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 namespace read_files_test {
 
@@ -103,6 +104,26 @@ TEST(Read_ply, reads_ascii_with_lists_and_unknown_elements)
   EXPECT_EQ(surface.properties.at("speed"), (std::vector<double>{1.5, 2.5, INFINITY}));
   EXPECT_EQ(surface.properties.size(), 1u);
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{2, 0, 1}));
+}
+
+TEST(Read_ply, reads_indices_in_any_notation)
+{
+  const std::string header = ply_header +
+                             "element face 2\nproperty list uchar int vertex_index\nend_header\n"
+                             "0 0 0\n1 0 0\n0 1 0\n";
+  constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
+  // In the last two texts, values are not in the lines of their faces.
+  for(const char* const faces :
+      {"3 2 0 1\n3 -1 4294967296 1\n", "3.0 2.0 +0 1e0\n+3 -1 99999999999999999999 1.0\n",
+       "3\n2\n\n0 1 3 -1\n9999999999 1", "3 2 0 1 3 -1 1e300 1"})
+  {
+    const Surface_file surface = program::read_ply(header + faces, "");
+    EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{2, 0, 1, no_vertex, no_vertex, 1}));
+    EXPECT_EQ(surface.polygon_begin, (std::vector<std::size_t>{0, 3, 6}));
+  }
+  for(const char* const faces : {"3 2 0 1\n3 0 1", "3 2 0 1\n", "3 2 0 1\n-3 0 1 2\n",
+                                 "3 2 0 1\n2.5 0 1 2\n", "3 2 0 1\n3 0 1 x\n"})
+    EXPECT_NE(error_message(program::read_ply, header + faces), "");
 }
 
 TEST(Read_ply, reads_all_types_in_both_byte_orders)
