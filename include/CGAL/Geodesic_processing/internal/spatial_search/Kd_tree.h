@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -90,10 +91,14 @@ private:
     Point low, high;
   };
 
-  std::size_t begin(std::size_t node, unsigned level) const { return node * m_size >> level; }
+  // Products have 64 bits also where std::size_t has 32.
+  std::size_t begin(std::size_t node, unsigned level) const
+  {
+    return std::size_t(std::uint64_t(node) * m_size >> level);
+  }
   std::pair<Index, Index> node(Index point, unsigned level) const
   {
-    const std::size_t node = (((std::size_t(point) + 1) << level) - 1) / m_size;
+    const std::size_t node = std::size_t((((std::uint64_t(point) + 1) << level) - 1) / m_size);
     return {Index(begin(node, level)), Index(begin(node + 1, level))};
   }
   template <typename Visit>
