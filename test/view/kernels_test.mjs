@@ -112,6 +112,21 @@ test('paths_on_clouds_agree_with_the_program', async () => {
   }
 });
 
+// Numbers of nodes times numbers of points exceed 32 bits.
+test('distances_on_a_large_cloud_are_those_of_the_program', async () => {
+  const random = generator(3);
+  const model = write('sphere.xyz', Array.from({length: 250000}, () => {
+    const z = 2 * random() - 1, angle = 2 * Math.PI * random(), radius = Math.sqrt(1 - z * z);
+    return `${radius * Math.cos(angle)} ${radius * Math.sin(angle)} ${z}\n`;
+  }).join(''));
+  const {lines} = native('distance', model, ['--source', 0, '--method', 'euclidean'], true);
+  const open = await Page.open(page(model));
+  const {values} = await open.ask('distances', [{vertex: 0}], 'euclidean', Infinity, 60);
+  assert.equal(values.length, 250000);
+  assert.deepEqual(values.map((value) => value ?? Infinity), lines.map(([value]) => value));
+  await open.close();
+});
+
 test('voronoi_labels_are_those_of_the_program', async () => {
   for (const kind of ['mesh', 'cloud']) {
     const {lines} = native('voronoi', models[kind], ['--seeds', '3,777,2500,4000'], true);
