@@ -25,25 +25,20 @@ def command_cell(size: str, command: str) -> Text:
                                  for column in ("processor time [s]", "peak [GB]")))
 
 
-EXPONENT_SIZES = ("1000000", "19998784")
-
-
-def exponents(command: str) -> Text:
-    small, large = EXPONENT_SIZES
-
-    def exponent(column: str) -> Exponent:
-        return Exponent(Value("commands", "commands on grids", (small, command), column),
-                        Value("commands", "commands on grids", (large, command), column),
-                        int(large) / int(small))
-
-    return Text("{}, {}", exponent("processor time [s]"), exponent("peak [GB]"))
+def exponent(command: str, column: str) -> Exponent:
+    small, large = (Value("commands", "commands on grids", (size, command), column)
+                    for size in ("1000000", "19998784"))
+    return Exponent(small, large, 19998784 / 1000000)
 
 
 LARGE_ROWS: List[List[Cell]] = [
     [name, *(command_cell(size, command) for command in COMMANDS)]
     for size, name in GRIDS.items()]
 program_large = Table(["vertices", *(f"`{command}`" for command in COMMANDS)],
-                      [*LARGE_ROWS, ["exponents", *(exponents(name) for name in COMMANDS)]])
+                      [*LARGE_ROWS,
+                       ["exponents", *(Text("{}, {}", exponent(command, "processor time [s]"),
+                                            exponent(command, "peak [GB]"))
+                                       for command in COMMANDS)]])
 
 program_files = Whole(
     "inputs", "files", {},
