@@ -19,6 +19,7 @@ import geodesic_processing as gp
 import numpy as np
 import pytest
 from conftest import grid_arrays, rough_arrays, sphere_arrays
+from geodesic_processing import _executors
 
 PROGRAM = os.environ.get("GEODESIC_PROCESSING_PROGRAM")
 # Seconds until a script, or a task of a worker, is regarded as hanging. Each takes less than 20 s
@@ -224,6 +225,28 @@ def test_processes_receive_the_surface_once(expected):
         assert first.number_of_transfers + second.number_of_transfers <= 3
 
 
+def forget_surfaces():
+    _executors._received.clear()
+
+
+class Forgetting(Counting):
+    """An executor of one worker that forgets each surface after its task."""
+
+    def submit(self, function, *arguments):
+        future = super().submit(function, *arguments)
+        self.executor.submit(forget_surfaces)
+        return future
+
+
+def test_worker_that_forgets_surfaces_receives_them_again():
+    with new_processes(1) as processes:
+        forgetting = Forgetting(processes)
+        found = SURFACE.distance_matrix(SOURCES[:10], executor=forgetting, rows_per_tile=1)
+    assert np.array_equal(found, SURFACE.distance_matrix(SOURCES[:10]))
+    # Each of the ten tasks needs a transfer, because the worker never has the surface.
+    assert forgetting.number_of_transfers == 10
+
+
 # A forked process has the locks of other threads, but not these threads, which would unlock them. A
 # new process therefore runs this script: threads of other tests do not run in it.
 FORK_JOB = """
@@ -329,9 +352,7 @@ def test_paths_are_equal(surface):
     pairs = np.random.default_rng(4).integers(0, 121, (30, 2))
     expected = surface.paths(pairs)
     with new_processes() as processes:
-        counting = Counting(processes)
-        assert paths_are_equal(surface.paths(pairs, executor=counting), expected)
-        assert counting.number_of_transfers <= 3
+        assert paths_are_equal(surface.paths(pairs, executor=processes), expected)
         assert paths_are_equal(surface.paths(pairs.tolist()[:3], executor=processes), expected[:3])
         with pytest.raises(gp.InvalidArgumentError):
             surface.paths([(0, 121)], executor=processes)

@@ -99,6 +99,7 @@ class _Distribution:
         self._lacking: set[str] = set()  # processes that do not have the surface yet
         self._content: bytes | None = None
         self._number_of_transfers = 0
+        self._number_of_missing_replies = 0  # since the last transfer or result
 
     def results(self) -> Iterator[tuple[int, Any]]:
         """Yields the positions of the arguments, and the results, in the order of completion."""
@@ -127,6 +128,7 @@ class _Distribution:
             if task.has_surface:
                 self._content = self._content or pickle.dumps(self._surface)
                 self._number_of_transfers += 1
+                self._number_of_missing_replies = 0
                 content = self._content
             future = self._executor.submit(
                 _call, content_hash, content, self._function, self._arguments[task.position]
@@ -147,11 +149,12 @@ class _Distribution:
         """Returns whether the next task has the surface.
 
         One transfer for each process suffices, unless another worker takes the task. This can happen
-        once. If it happens again, the surface is sent only if no task runs otherwise: then workers
-        without it take all tasks.
+        once. If it happens again, the surface is sent only if workers without it take all tasks: the
+        others compute for a long time, or have ended.
         """
         on_the_way = sum(task.has_surface for task in self._running.values())
-        is_allowed = self._number_of_transfers <= len(self._processes) or not self._running
+        is_taken = self._number_of_missing_replies > 2 * len(self._threads)
+        is_allowed = self._number_of_transfers <= len(self._processes) or is_taken
         return on_the_way < len(self._lacking) and is_allowed
 
     def _completed(self) -> Iterator[tuple[int, Any]]:
@@ -169,8 +172,10 @@ class _Distribution:
             if reply.is_missing:
                 self._lacking.add(reply.process)
                 self._waiting.appendleft(task.position)
+                self._number_of_missing_replies += 1
             else:
                 self._lacking.discard(reply.process)
+                self._number_of_missing_replies = 0
                 yield task.position, reply.result
         if failed is not None:
             failed.result()
