@@ -216,6 +216,8 @@ Front::Front(std::shared_ptr<const Surface_arrays> triangles, Front_kind kind,
   front.vertices.resize(n);
   front.sources.resize(n, none);
   front.queue = Vertex_queue(n);
+  // Memory that is reserved is not used before a vertex is reached. Growing would leave unused parts.
+  front.reached.reserve(n);
   if(kind == Front_kind::euclidean)
     front.directions.resize(n);
 }
