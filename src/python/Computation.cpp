@@ -28,6 +28,8 @@ void Guard::lock()
     throw std::runtime_error("A callback uses the object whose computation has called it.");
   while(!m_mutex.try_lock_for(time_between_checks))
   {
+    if(Cancellation::is_this_thread_canceled())
+      throw GP::Cancelled();
     py::gil_scoped_acquire gil;
     handle_signals();
   }
@@ -40,8 +42,21 @@ void Guard::unlock()
   m_mutex.unlock();
 }
 
+thread_local const Cancellation* Cancellation::m_current = nullptr;
+
+py::object Cancellation::call(const py::function& function, const py::args& arguments)
+{
+  struct Reset
+  {
+    ~Reset() { m_current = nullptr; }
+  } reset;
+  m_current = this;
+  return function(*arguments);
+}
+
 Computation::Computation(py::object callback)
-    : m_callback(std::move(callback)), m_last_check(std::chrono::steady_clock::now())
+    : m_callback(std::move(callback)), m_cancellation(Cancellation::current()),
+      m_last_check(std::chrono::steady_clock::now())
 {
   if(!m_callback.is_none() && !PyCallable_Check(m_callback.ptr()))
     reject("callback is not a function.");
@@ -54,7 +69,7 @@ std::function<bool(double)> Computation::callback()
 
 bool Computation::should_continue(double fraction)
 {
-  if(m_is_canceled)
+  if(is_canceled())
     return false;
   const auto now = std::chrono::steady_clock::now();
   const bool has_callback = m_callback.ptr() != Py_None;

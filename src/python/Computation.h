@@ -27,14 +27,34 @@ class Guard
 {
 public:
   // Throws std::runtime_error if the calling thread already has the object: its callback must not
-  // use it. Throws error_already_set if a signal handler raises an exception. Requires that the GIL
-  // is not held.
+  // use it. Throws error_already_set if a signal handler raises an exception, and Cancelled if the
+  // call of this thread is canceled. Requires that the GIL is not held.
   void lock();
   void unlock();
 
 private:
   std::timed_mutex m_mutex;
   std::atomic<std::thread::id> m_owner{std::thread::id()};
+};
+
+// Lets another thread cancel the computations of a call. Signal handlers run in the main thread only,
+// so that it waits for long calls of another thread, and cancels them on Ctrl-C.
+class Cancellation
+{
+public:
+  // Returns function(*arguments). From then on, cancel() cancels the computations of this thread.
+  py::object call(const py::function& function, const py::args& arguments);
+  void cancel() { m_is_canceled = true; }
+  bool is_canceled() const { return m_is_canceled; }
+
+  // Returns whether the call of this thread is canceled.
+  static bool is_this_thread_canceled() { return m_current && m_current->is_canceled(); }
+  // Returns that of the call of this thread, or null.
+  static const Cancellation* current() { return m_current; }
+
+private:
+  static thread_local const Cancellation* m_current;
+  std::atomic<bool> m_is_canceled{false};
 };
 
 // Runs a computation of the library without the GIL. Its callback handles signals and calls the
@@ -67,10 +87,15 @@ private:
   void run_without_gil(const std::function<void()>& f);
   void run_in_other_thread(const std::function<void()>& f);
   bool should_continue(double fraction);
+  bool is_canceled() const
+  {
+    return m_is_canceled || (m_cancellation && m_cancellation->is_canceled());
+  }
   void rethrow(std::exception_ptr thrown);
 
   py::object m_callback;
-  std::exception_ptr m_error; // of the callback or of a signal handler
+  const Cancellation* m_cancellation; // that of the calling thread, or null
+  std::exception_ptr m_error;         // of the callback or of a signal handler
   std::atomic<bool> m_is_canceled{false};
   std::chrono::steady_clock::time_point m_last_check;
 };

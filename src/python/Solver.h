@@ -41,6 +41,8 @@ public:
     computation.run([&] { m_solver.emplace(m_surface->domain(), np); });
   }
 
+  std::size_t number_of_points() const { return m_surface->number_of_points(); }
+
   void compute(const py::object& source_list, const py::object& maximum,
                const py::object& target_list, const py::object& speed, const py::object& face_speed,
                const py::object& offsets, const py::object& relative_tolerance,
@@ -174,6 +176,7 @@ bind_surface(py::module_& module, const char* surface_name, const char* solver_n
                         const py::object& callback)
            { return std::make_unique<Solver_type>(self, method, callback); });
   py::class_<Solver_type>(module, solver_name)
+      .def_property_readonly("number_of_points", &Solver_type::number_of_points)
       .def("compute", &Solver_type::compute)
       .def("write_distances", &Solver_type::write_distances)
       .def("distances", &Solver_type::distances)

@@ -79,6 +79,10 @@ PYBIND11_MODULE(_core, module)
   bind_exception<GP::File_error>(
       module, "FileError", py::make_tuple(py::handle(PyExc_OSError), py::handle(PyExc_ValueError)));
   bind_exception<GP::Cancelled>(module, "Cancelled", PyExc_Exception);
+  py::class_<Cancellation>(module, "Cancellation")
+      .def(py::init<>())
+      .def("call", &Cancellation::call)
+      .def("cancel", &Cancellation::cancel);
   bind_mesh(module);
   bind_cloud(module);
   module.def("read", &read_surface);

@@ -12,6 +12,7 @@ import geodesic_processing as gp
 import numpy as np
 import pytest
 from conftest import grid_arrays, rough_arrays
+from geodesic_processing._interrupts import interruptible
 
 
 def in_four_threads(function, arguments):
@@ -166,9 +167,7 @@ REGION = np.where(np.arange(160000) < 1000, 0, -1)
 
 @pytest.fixture(scope="module")
 def large():
-    surface = gp.Surface(*LARGE)
-    surface.locate(LARGE[0][:1])  # builds the search tree, which cannot be interrupted
-    return surface
+    return gp.Surface(*LARGE)
 
 
 @pytest.mark.parametrize(
@@ -209,12 +208,15 @@ def test_interrupt_raises_within_half_a_second(call):
         lambda large: large.isolines(np.arange(160000) % 400, np.linspace(0, 399, 10000)),
         lambda large: large.locate(np.random.default_rng(3).uniform(0, 1, (2000000, 3))),
         lambda large: [gp.Surface(*ROUGH).solver("heat") for _ in range(100)],
+        lambda large: large.solver("heat"),
+        lambda large: large.emd(0, 159999),
+        lambda large: large.log_map(0),
         lambda large: [gp.Surface(*LARGE) for _ in range(100)],
         lambda large: [gp.Surface(LARGE[0]) for _ in range(10)],
     ],
     ids=[
         "distance", "row", "parallel rows", "row of means", "sparse rows", "path", "isolines",
-        "locate", "heat", "mesh", "cloud",
+        "locate", "heat", "large heat", "large transport", "log map", "mesh", "cloud",
     ],
 )
 def test_interrupt_ends_a_single_step(large, call):
@@ -247,6 +249,46 @@ def test_transport_is_interrupted_between_factorizations(call):
             while True:
                 call(surface)
         assert time.monotonic() - interrupt.time < 0.5
+
+
+def test_interrupt_leaves_a_function_that_cannot_be_interrupted():
+    may_end = threading.Event()
+    has_ended = threading.Event()
+
+    def function():
+        may_end.wait()
+        has_ended.set()
+
+    with Interrupt(0.2) as interrupt:
+        with pytest.raises(KeyboardInterrupt):
+            interrupt.start()
+            interruptible(function)()
+        assert not has_ended.is_set()
+    may_end.set()
+    assert has_ended.wait(60)
+
+
+def test_canceled_call_ends(large):
+    # Without the cancellation, the thread would compute for minutes.
+    with Interrupt(0.2) as interrupt:
+        with pytest.raises(KeyboardInterrupt):
+            interrupt.start()
+            large.distance_matrix(targets=[0], method="exact", threads=2)
+    for thread in threading.enumerate():
+        if thread.name == "geodesic_processing":
+            thread.join(60)
+            assert not thread.is_alive()
+
+
+def test_main_thread_calls_callbacks(large):
+    threads = set()
+    large.distance(0, callback=lambda _: threads.add(threading.current_thread()))
+    assert threads == {threading.main_thread()}
+
+
+def test_exception_of_other_thread_arrives(large):
+    with pytest.raises(gp.InvalidArgumentError, match="160000"):
+        large.distance(160000)
 
 
 def test_waiting_thread_is_interrupted():

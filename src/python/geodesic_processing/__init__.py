@@ -20,10 +20,13 @@ Conventions
   thread at a time.
 - ``callback(fraction)`` is called with the completed fraction. If it returns a false value other
   than ``None``, the function raises ``Cancelled``. If it raises an exception, this exception
-  arrives. Computations with this argument react to Ctrl-C.
+  arrives.
+- Ctrl-C raises ``KeyboardInterrupt`` within half a second. With a callback, this can take until
+  its next call.
 - The modules of ``compat`` have the interfaces of other packages.
 """
 
+from . import _interrupts as _interrupts  # isort: skip - replaces functions of the extension
 from . import compat as compat
 from ._atlas import Atlas
 from ._convert import as_surface
