@@ -4,6 +4,7 @@
 // The commands info and surfels.
 #include "Program.h"
 
+#include <cmath>
 #include <fstream>
 #include <string>
 
@@ -51,6 +52,7 @@ TEST_F(Program, info_reports_topology_and_area)
   EXPECT_NEAR(square["min_angle"].get<double>(), 45., 100. * round_off); // in degrees
   EXPECT_NEAR(square["max_angle"].get<double>(), 90., 100. * round_off);
   EXPECT_EQ(square["bounding_box"], nlohmann::json::parse("[[0,0,0],[1,1,0]]"));
+  EXPECT_DOUBLE_EQ(square["diagonal"].get<double>(), std::sqrt(2.));
   EXPECT_EQ(json("info apart.off")["components"], 2);
   EXPECT_EQ(json("info pinched.off")["manifold"], false);
 }

@@ -222,9 +222,10 @@ TEST_F(Program, json_has_documented_keys)
     EXPECT_EQ(keys(object["seconds"]),
               (std::set<std::string>{"read", "prepare", "query", "write"}));
   };
-  expect_keys("info square.ply", {"components", "boundary_loops", "genus", "manifold", "area",
-                                  "min_angle", "max_angle", "bounding_box", "degenerate_faces"});
-  expect_keys("info cloud.xyz", {"components", "bounding_box"});
+  expect_keys("info square.ply",
+              {"components", "boundary_loops", "genus", "manifold", "area", "min_angle",
+               "max_angle", "bounding_box", "diagonal", "degenerate_faces"});
+  expect_keys("info cloud.xyz", {"components", "bounding_box", "diagonal"});
   expect_keys("distance square.ply --source 0", {"max", "unreached"});
   expect_keys("distance cloud.xyz --source 0", {"max", "unreached"});
   expect_keys("isolines square.ply --source 0", {"lines", "closed", "length"});

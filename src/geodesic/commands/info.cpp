@@ -148,6 +148,9 @@ void report_bounding_box(Job& job)
   job.print_line("bounding box    " + rounded_text(low[0]) + " " + rounded_text(low[1]) + " " +
                  rounded_text(low[2]) + " to " + rounded_text(high[0]) + " " +
                  rounded_text(high[1]) + " " + rounded_text(high[2]));
+  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  job.result()["diagonal"] = json_number(diagonal);
+  job.print_line("diagonal        " + rounded_text(diagonal));
 }
 
 struct Info_options
