@@ -31,21 +31,28 @@ TEST(Parse_chunks, chunks_are_lines_and_form_the_text)
     EXPECT_EQ(joined, text);
     EXPECT_LE(program::split_lines(text, count).size(), count);
   }
-  EXPECT_EQ(program::number_of_chunks(std::size_t{3} << 20, 2), 2u);
-  EXPECT_EQ(program::number_of_chunks(std::size_t{3} << 20, 5), 3u);
+  EXPECT_EQ(program::number_of_chunks(std::size_t{3} << 20, 1), 1u);
+  EXPECT_EQ(program::number_of_chunks(std::size_t{3} << 20, 2), 3u);
+  EXPECT_EQ(program::number_of_chunks(std::size_t{30} << 20, 2), 8u);
 }
 
 TEST(Parse_chunks, exceptions_and_rejections_are_reported)
 {
-  EXPECT_TRUE(program::parse_chunks(3, [](std::size_t) { return true; }));
-  EXPECT_FALSE(program::parse_chunks(3, [](std::size_t i) { return i != 2; }));
+  for(const unsigned threads : {1u, 2u, 8u})
+  {
+    std::vector<int> number_of_calls(5, 0);
+    EXPECT_TRUE(program::parse_chunks(5, threads,
+                                      [&](std::size_t i) { return ++number_of_calls[i] == 1; }));
+    EXPECT_EQ(number_of_calls, std::vector<int>(5, 1));
+    EXPECT_FALSE(program::parse_chunks(3, threads, [](std::size_t i) { return i != 2; }));
+  }
   const auto parse_or_throw = [](std::size_t i)
   {
     if(i == 1)
       throw std::runtime_error("failed");
     return true;
   };
-  EXPECT_FALSE(program::parse_chunks(3, parse_or_throw));
+  EXPECT_FALSE(program::parse_chunks(3, 2, parse_or_throw));
 }
 
 // The content of a file, or the error message.
@@ -127,6 +134,29 @@ std::string lines_with(const std::string& line, std::size_t number, const std::s
   for(std::size_t i = 0; i < number; ++i)
     result += (i == number / 2 ? line : "") + others;
   return result;
+}
+
+TEST(Read_with_threads, ascii_stl_does_not_depend_on_their_number)
+{
+  // Different vertices, because a chunk must continue the numbers of the one before.
+  std::string facets;
+  for(int i = 0; i < 4000; ++i)
+  {
+    const std::string x = std::to_string(i % 1000), y = std::to_string(i / 1000);
+    facets += "facet normal 0 0 1\nouter loop\nvertex " + x + " " + y + " 0\nvertex " + x +
+              ".5 0 1e-3\nvertex 7 " + y + ".25 -0\nendloop\nendfacet\n";
+  }
+  const std::string triangle = "outer loop\nvertex 1 2 3\nvertex 4 5 6\nvertex 7 8 9\nendloop\n";
+  // Nothing, a new solid, a line with all words, a polygon, carriage returns, errors.
+  for(const std::string& line :
+      {std::string(), std::string("endsolid\nsolid vertex endloop\n"),
+       std::string("outer loop vertex 1 2 3 vertex 4 5 6 vertex 1 1 1 endloop\n"),
+       std::string("outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n"),
+       "\r" + triangle, std::string("vertex 1 2\n"), std::string("endloop\n"),
+       std::string("vertex 1 2 3\nendloop\n"), std::string("vertex 1 2 nan\n"),
+       std::string("vertex 1 2 3\n")})
+    expect_equal_results(".stl", "solid\n" + text_with(line, facets) + "endsolid\n");
+  expect_equal_results(".stl", "solid\n" + text_with("", facets) + "vertex 1 2 3\n");
 }
 
 TEST(Read_with_threads, off_does_not_depend_on_their_number)

@@ -56,6 +56,8 @@ Surface_file read_surface_file(const std::string& filename,
     return read_off_in_parallel(bytes, filename, number_of_threads);
   if(extension == "obj")
     return read_obj_in_parallel(bytes, filename, number_of_threads);
+  if(extension == "stl")
+    return read_stl_in_parallel(bytes, filename, number_of_threads);
   if(extension == "xyz")
     return read_xyz_in_parallel(bytes, filename, number_of_threads);
   return reader->second(bytes, filename);

@@ -62,6 +62,8 @@ Surface_file read_off_in_parallel(std::string_view bytes, const std::string& nam
                                   unsigned number_of_threads);
 Surface_file read_obj_in_parallel(std::string_view bytes, const std::string& name,
                                   unsigned number_of_threads);
+Surface_file read_stl_in_parallel(std::string_view bytes, const std::string& name,
+                                  unsigned number_of_threads);
 Surface_file read_xyz_in_parallel(std::string_view bytes, const std::string& name,
                                   unsigned number_of_threads);
 

@@ -6,6 +6,7 @@
 #include "readers/count_lines.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <string_view>
@@ -15,10 +16,14 @@
 
 namespace program {
 
-// Returns the number of chunks that a file is divided into. A chunk has at least 2^20 bytes.
+// Returns the number of chunks that a file is divided into. A chunk has at least 2^20 bytes. There are
+// more chunks than threads, because some kinds of lines take longer than others.
 inline std::size_t number_of_chunks(std::size_t size, unsigned number_of_threads)
 {
-  return std::min<std::size_t>(number_of_threads, size >> 20);
+  constexpr std::size_t chunks_per_thread = 4;
+  return number_of_threads < 2
+             ? 1
+             : std::min<std::size_t>(chunks_per_thread * number_of_threads, size >> 20);
 }
 
 // Splits a text behind line feeds into chunks of similar size.
@@ -37,43 +42,47 @@ inline std::vector<std::string_view> split_lines(std::string_view text, std::siz
   return chunks;
 }
 
-// Calls parse(i) for all i < count, in parallel. Returns whether all calls return true. Exceptions
-// count as false: the caller then parses the whole file, which reports the first error.
+// Calls parse(i) for all i < count, in several threads. Returns whether all calls return true.
+// Exceptions count as false: the caller then parses the whole file, which reports the first error.
 template <typename Parse>
-bool parse_chunks(std::size_t count, Parse parse)
+bool parse_chunks(std::size_t count, unsigned number_of_threads, Parse parse)
 {
-  std::vector<char> is_parsed(count, 0);
-  const auto call = [&](std::size_t i) noexcept
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> is_parsed{true};
+  const auto parse_next = [&]() noexcept
   {
-    try
-    {
-      is_parsed[i] = parse(i) ? 1 : 0;
-    }
-    catch(...)
-    {}
+    for(std::size_t i; (i = next++) < count;)
+      try
+      {
+        if(!parse(i))
+          is_parsed = false;
+      }
+      catch(...)
+      {
+        is_parsed = false;
+      }
   };
   std::vector<std::thread> threads;
-  threads.reserve(count);
-  for(std::size_t i = 1; i < count; ++i)
-    try
-    {
-      threads.emplace_back(call, i);
-    }
-    catch(const std::system_error&) // There are too many threads.
-    {
-      call(i);
-    }
-  call(0);
+  threads.reserve(number_of_threads);
+  try
+  {
+    while(threads.size() + 1 < std::min<std::size_t>(number_of_threads, count))
+      threads.emplace_back(parse_next);
+  }
+  catch(const std::system_error&) // There are too many threads. The others parse all chunks.
+  {}
+  parse_next();
   for(std::thread& thread : threads)
     thread.join();
-  return std::all_of(is_parsed.begin(), is_parsed.end(), [](char c) { return c != 0; });
+  return is_parsed;
 }
 
 // Returns the number of lines before each chunk, and of all lines.
-inline std::vector<std::size_t> first_lines(const std::vector<std::string_view>& chunks)
+inline std::vector<std::size_t> first_lines(const std::vector<std::string_view>& chunks,
+                                            unsigned number_of_threads)
 {
   std::vector<std::size_t> result(chunks.size() + 1, 0);
-  parse_chunks(chunks.size(),
+  parse_chunks(chunks.size(), number_of_threads,
                [&](std::size_t i)
                {
                  result[i + 1] = number_of_lines(chunks[i]);

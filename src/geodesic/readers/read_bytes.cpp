@@ -44,7 +44,7 @@ Bytes read_bytes(const std::string& filename, unsigned number_of_threads)
   const std::size_t count = number_of_chunks(size, number_of_threads);
   const bool is_read =
       count > 1 &&
-      parse_chunks(count,
+      parse_chunks(count, number_of_threads,
                    [&](std::size_t i)
                    {
                      const std::size_t begin = size / count * i,

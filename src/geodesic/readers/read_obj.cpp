@@ -223,7 +223,7 @@ Surface_file read_obj_in_parallel(std::string_view bytes, const std::string& nam
       split_lines(bytes, number_of_chunks(bytes.size(), number_of_threads));
   std::vector<std::unique_ptr<Obj_reader>> readers(chunks.size());
   const bool is_parsed =
-      chunks.size() > 1 && parse_chunks(chunks.size(),
+      chunks.size() > 1 && parse_chunks(chunks.size(), number_of_threads,
                                         [&](std::size_t i)
                                         {
                                           readers[i] = std::make_unique<Obj_reader>(

@@ -160,7 +160,7 @@ Surface_file read_off_in_parallel(std::string_view bytes, const std::string& nam
   const Off_header header = read_off_header(scanner, name, bytes.size());
   Surface_file surface = allocate_surface(header);
   const std::size_t number_of_items = header.vertices + header.faces;
-  const std::vector<std::size_t> lines = first_lines(chunks);
+  const std::vector<std::size_t> lines = first_lines(chunks, number_of_threads);
   std::vector<Surface_file> faces(chunks.size());
   // An item is read at the right position only if no line before it is empty or a comment. This is
   // true if the items of each chunk are its lines.
@@ -179,7 +179,7 @@ Surface_file read_off_in_parallel(std::string_view bytes, const std::string& nam
     return end == number_of_items || !chunk_scanner.next_line();
   };
   if(lines.back() < scanner.line_number() + number_of_items ||
-     !parse_chunks(chunks.size(), read_chunk))
+     !parse_chunks(chunks.size(), number_of_threads, read_chunk))
     return read_off(bytes, name);
   append_chunks(surface, faces);
   return surface;

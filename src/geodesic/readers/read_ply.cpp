@@ -615,7 +615,7 @@ bool read_text_in_parallel(std::string_view text, const std::vector<Element>& el
       return false;
     destination = prepare_vertices(element, name, surface);
   }
-  const std::vector<std::size_t> lines = first_lines(chunks);
+  const std::vector<std::size_t> lines = first_lines(chunks, number_of_threads);
   if(lines.back() < number_of_items)
     return false;
   std::vector<Surface_file> others(chunks.size());
@@ -634,7 +634,7 @@ bool read_text_in_parallel(std::string_view text, const std::vector<Element>& el
     }
     return end == number_of_items || !chunk_body.next_line();
   };
-  if(!parse_chunks(chunks.size(), read_chunk))
+  if(!parse_chunks(chunks.size(), number_of_threads, read_chunk))
     return false;
   append_chunks(surface, others);
   return true;
@@ -668,7 +668,7 @@ bool read_binary_in_parallel(std::string_view bytes, Encoding encoding,
       read_elements(body, other_elements, name, others);
     return true;
   };
-  if(!parse_chunks(2, read_chunk))
+  if(!parse_chunks(2, number_of_threads, read_chunk))
     return false;
   surface.corners = std::move(others.corners);
   surface.polygon_begin = std::move(others.polygon_begin);

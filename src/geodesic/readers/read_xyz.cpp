@@ -90,7 +90,7 @@ Surface_file read_xyz_in_parallel(std::string_view bytes, const std::string& nam
   std::vector<Rows> rows(chunks.size());
   const bool is_parsed =
       chunks.size() > 1 &&
-      parse_chunks(chunks.size(),
+      parse_chunks(chunks.size(), number_of_threads,
                    [&](std::size_t i)
                    {
                      rows[i] = read_rows(chunks[i], name, i == 0, i == 0 ? bytes : chunks[i]);
