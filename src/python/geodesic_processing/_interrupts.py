@@ -75,7 +75,7 @@ def _call_beside(function: Callable[..., Any], arguments: tuple[Any, ...]) -> An
 
 def _wrap_extension() -> None:
     """Replaces the methods, and functions whose steps take long, by interruptible ones."""
-    for name in ("decode_wavelets", "read"):
+    for name in ("make_cloud", "cloud_of_content", "decode_wavelets", "read"):
         setattr(_core, name, interruptible(getattr(_core, name)))
     for cls in (
         _core.Mesh, _core.Cloud, _core.Mesh_solver, _core.Cloud_solver, _core.Volumetric_metric,
