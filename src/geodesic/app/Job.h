@@ -84,6 +84,8 @@ public:
   // file must be one of `extensions`, the formats that can store the command's result.
   const Surface& read(const std::vector<std::string>& extensions = {"ply", "off", "obj", "vtp"});
   const Surface& surface() const { return m_surface; }
+  // Frees the memory of the file of the surface, of which only the domain is used from then on.
+  void release_file() { m_surface.file = {}; }
 
   // Starts a timed stage: read, prepare, query or write. It lasts until the next stage starts.
   // If a stage is started several times, its times are added.
