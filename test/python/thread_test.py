@@ -286,6 +286,12 @@ def test_main_thread_calls_callbacks(large):
     assert threads == {threading.main_thread()}
 
 
+def test_type_of_an_array_is_not_a_callback():
+    find_thread = interruptible(lambda *_: threading.current_thread())
+    assert find_thread(None, np.float32) is not threading.main_thread()
+    assert find_thread(None, (1, print)) is threading.main_thread()
+
+
 def test_exception_of_other_thread_arrives(large):
     with pytest.raises(gp.InvalidArgumentError, match="160000"):
         large.distance(160000)

@@ -19,7 +19,7 @@ from typing import Any
 from . import _core
 
 # Steps on a smaller surface take less than half a second. Another thread takes 0.1 ms.
-_MAX_POINTS = 50_000
+_MIN_POINTS = 50_000
 # Most computations end in this time after they are canceled. Seconds.
 _MAX_WAIT = 0.2
 
@@ -35,7 +35,7 @@ def interruptible(function: Callable[..., Any]) -> Callable[..., Any]:
     def call(*arguments: Any) -> Any:
         is_direct = (
             threading.current_thread() is not threading.main_thread()
-            or getattr(next(iter(arguments), None), "number_of_points", _MAX_POINTS) < _MAX_POINTS
+            or getattr(next(iter(arguments), None), "number_of_points", _MIN_POINTS) < _MIN_POINTS
             or _has_callback(arguments)
         )
         return function(*arguments) if is_direct else _call_beside(function, arguments)
@@ -45,7 +45,8 @@ def interruptible(function: Callable[..., Any]) -> Callable[..., Any]:
 
 def _has_callback(arguments: tuple[Any, ...]) -> bool:
     return any(
-        _has_callback(argument) if isinstance(argument, tuple) else callable(argument)
+        _has_callback(argument) if isinstance(argument, tuple)
+        else callable(argument) and not isinstance(argument, type)  # as the type of an array
         for argument in arguments
     )
 
